@@ -1,0 +1,97 @@
+//! The flags every example has.
+
+use clap::{Args, ValueEnum};
+use mps_neighbors::Parallel;
+use std::path::PathBuf;
+use thiserror::Error;
+
+use crate::Failure;
+
+/// Flags common to all examples; flatten them into the parser of a program.
+#[derive(Args, Clone, Debug)]
+pub struct Common {
+    /// Threads; all cores if left out
+    #[arg(long, value_name = "N")]
+    pub threads: Option<usize>,
+    /// Scalar type of the simulation
+    #[arg(long, value_enum, default_value_t = Precision::F64)]
+    pub precision: Precision,
+    /// Directory for the results; created if missing
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Write neither fields nor pictures nor the film; probes, plots and summary only
+    #[arg(long)]
+    pub no_fields: bool,
+    /// No progress, no closing words
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// Scalar type of a simulation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Precision {
+    /// Single precision
+    F32,
+    /// Double precision
+    F64,
+}
+
+impl Precision {
+    /// As in the flag and in summaries.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::F64 => "f64",
+        }
+    }
+}
+
+/// Input no run can be made of: what it is and what to change.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("{flag} is {value}: {remedy}")]
+pub struct Refused {
+    /// The flag.
+    pub flag: &'static str,
+    /// Its value.
+    pub value: String,
+    /// What to do.
+    pub remedy: String,
+}
+
+impl Refused {
+    /// Refuses `flag` unless `good`.
+    ///
+    /// # Errors
+    /// If not `good`.
+    pub fn unless(
+        good: bool,
+        flag: &'static str,
+        value: impl ToString,
+        remedy: impl Into<String>,
+    ) -> Result<(), Self> {
+        if good { Ok(()) } else { Err(Self { flag, value: value.to_string(), remedy: remedy.into() }) }
+    }
+}
+
+impl Common {
+    /// The threads asked for.
+    ///
+    /// # Errors
+    /// If zero were asked for, or the system refuses.
+    pub fn parallel(&self) -> Result<Parallel, Failure> {
+        Ok(match self.threads {
+            Some(threads) => Parallel::new(threads)?,
+            None => Parallel::all_cores()?,
+        })
+    }
+
+    /// The output directory, `out/<program>` if none was given; exists and is writable afterwards.
+    ///
+    /// # Errors
+    /// If it cannot be created or written to.
+    pub fn output(&self, program: &str) -> Result<PathBuf, Failure> {
+        let dir = self.out.clone().unwrap_or_else(|| PathBuf::from("out").join(program));
+        mps_io::prepare_output(&dir)?;
+        Ok(dir)
+    }
+}

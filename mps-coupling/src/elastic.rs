@@ -1,0 +1,87 @@
+//! The solid of `mps-solid` as a structure the fluid can push.
+
+use crate::{Structure, StructureEnergy};
+use mps_kernel::weights::WendlandC2;
+use mps_kernel::{Kernel, Real, Vector};
+use mps_neighbors::Parallel;
+use mps_solid::{ConstitutiveModel, Solid};
+use std::any::Any;
+use std::error::Error;
+
+/// An elastic solid in a scene.
+pub struct ElasticBody<T, const D: usize, M, K = WendlandC2>
+where
+    T: Real,
+    M: ConstitutiveModel<T, D>,
+{
+    solid: Solid<T, D, M, K>,
+}
+
+impl<T, const D: usize, M, K> ElasticBody<T, D, M, K>
+where
+    T: Real,
+    M: ConstitutiveModel<T, D>,
+    K: Kernel<T>,
+{
+    /// Wraps a solid.
+    pub fn new(solid: Solid<T, D, M, K>) -> Self {
+        Self { solid }
+    }
+
+    /// The solid.
+    pub fn solid(&self) -> &Solid<T, D, M, K> {
+        &self.solid
+    }
+}
+
+impl<T, const D: usize, M, K> Structure<T, D> for ElasticBody<T, D, M, K>
+where
+    T: Real,
+    M: ConstitutiveModel<T, D> + 'static,
+    M::History: 'static,
+    K: Kernel<T> + 'static,
+{
+    fn positions(&self) -> &[Vector<T, D>] {
+        self.solid.positions()
+    }
+
+    fn mean_velocities(&self) -> &[Vector<T, D>] {
+        self.solid.mean_velocities()
+    }
+
+    fn volumes(&self) -> &[T] {
+        self.solid.volumes()
+    }
+
+    fn spacing(&self) -> T {
+        self.solid.spacing().max()
+    }
+
+    fn max_step(&self, parallel: &Parallel) -> T {
+        self.solid.max_step(parallel)
+    }
+
+    fn advance(
+        &mut self,
+        parallel: &Parallel,
+        force: &[Vector<T, D>],
+        gravity: &Vector<T, D>,
+        dt: T,
+        substeps: usize,
+    ) -> Result<(), Box<dyn Error + Send + Sync>> {
+        Ok(self.solid.advance(parallel, force, gravity, dt, substeps)?)
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
+    }
+
+    fn energy(&self, parallel: &Parallel, gravity: &Vector<T, D>) -> StructureEnergy<T> {
+        let energy = self.solid.energy(parallel, gravity);
+        StructureEnergy {
+            kinetic: energy.kinetic,
+            strain: energy.strain + energy.bending,
+            potential: energy.potential,
+        }
+    }
+}

@@ -1,0 +1,16 @@
+//! Lets a fluid and structures touch: the partitioned coupling with sub-cycling (paper 1,
+//! sections 2.2.4 to 2.2.8).
+
+mod budget;
+mod elastic;
+mod error;
+mod register;
+mod scene;
+mod structure;
+
+pub use budget::Budget;
+pub use elastic::ElasticBody;
+pub use error::CouplingError;
+pub use register::Interface;
+pub use scene::Scene;
+pub use structure::{Structure, StructureEnergy};

@@ -1,0 +1,67 @@
+//! What a fluid needs of anything solid that moves.
+
+use mps_kernel::{Real, Vector};
+use mps_neighbors::Parallel;
+use std::any::Any;
+use std::error::Error;
+
+/// Energies of a structure \[J\] (per metre of depth in 2D).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StructureEnergy<T> {
+    /// Energy of motion.
+    pub kinetic: T,
+    /// Energy of deformation.
+    pub strain: T,
+    /// Energy in the field of gravity, relative to the origin.
+    pub potential: T,
+}
+
+impl<T: Real> StructureEnergy<T> {
+    /// Sum of the parts \[J\].
+    pub fn total(&self) -> T {
+        self.kinetic + self.strain + self.potential
+    }
+}
+
+/// A body the fluid can push: the solid of `mps-solid`, or the body of another simulator.
+///
+/// A structure shows itself as points that fill its volume, at least as deep as the effective
+/// radius of the fluid below its wetted surface. Everything is in SI units, per metre of depth in 2D.
+pub trait Structure<T: Real, const D: usize>: Send + Sync {
+    /// Positions of the points \[m\]. Their number and order never change.
+    fn positions(&self) -> &[Vector<T, D>];
+
+    /// Mean velocities of the points over the last [`advance`](Structure::advance) \[m/s\]:
+    /// displacement over time step. The fluid closes its continuity equation with them, so that
+    /// the work it loses is the work the structure gains.
+    fn mean_velocities(&self) -> &[Vector<T, D>];
+
+    /// Volume each point stands for \[m^D\].
+    fn volumes(&self) -> &[T];
+
+    /// Distance between neighbouring points \[m\].
+    fn spacing(&self) -> T;
+
+    /// Longest sub-step the structure can take in its present state \[s\]; infinite if any.
+    fn max_step(&self, parallel: &Parallel) -> T;
+
+    /// Moves on by `dt` \[s\] in `substeps` equal parts, under `force` \[N\] on each point and
+    /// `gravity` \[m/s^2\], both held over the step.
+    ///
+    /// # Errors
+    /// If the structure cannot go on; the message says which part of it and why.
+    fn advance(
+        &mut self,
+        parallel: &Parallel,
+        force: &[Vector<T, D>],
+        gravity: &Vector<T, D>,
+        dt: T,
+        substeps: usize,
+    ) -> Result<(), Box<dyn Error + Send + Sync>>;
+
+    /// The structure itself, for probes and output that know its type.
+    fn as_any(&self) -> &dyn Any;
+
+    /// Present energies, given gravity \[m/s^2\].
+    fn energy(&self, parallel: &Parallel, gravity: &Vector<T, D>) -> StructureEnergy<T>;
+}

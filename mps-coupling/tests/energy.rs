@@ -1,0 +1,46 @@
+//! The exchange with a structure creates no energy.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
+
+mod common;
+
+use common::{Wet, floating, gate, largest_rise};
+use mps_fluid::Slip;
+use mps_neighbors::Parallel;
+
+fn total(scene: &Wet) -> f64 {
+    let (fluid, structure) = scene.energy(&Parallel::serial());
+    fluid.total() + structure.total()
+}
+
+/// Total energies of the start and after each step.
+fn energies(scene: &mut Wet, steps: usize) -> Vec<f64> {
+    let parallel = Parallel::serial();
+    let mut found = vec![total(scene)];
+    for _ in 0..steps {
+        scene.step(&parallel, f64::INFINITY).unwrap();
+        found.push(total(scene));
+    }
+    found
+}
+
+#[test]
+fn a_block_floating_in_a_blob_never_gains_energy() {
+    for speed in [0.1, 0.3] {
+        let mut scene = floating(speed);
+        let energy = energies(&mut scene, 200);
+        let rise = largest_rise(&energy) / energy[0];
+        assert!(rise < 1e-12, "speed {speed}: {rise:e}");
+    }
+}
+
+#[test]
+fn a_gate_between_water_and_air_never_gains_energy() {
+    for slip in [Slip::Free, Slip::None] {
+        let mut scene = gate([20, 40], slip);
+        let energy = energies(&mut scene, 200);
+        let (_, gate) = scene.energy(&Parallel::serial());
+        let rise = largest_rise(&energy);
+        assert!(rise < 1e-12 * energy[0], "{slip:?}: {rise:e} J of {} J", energy[0]);
+        assert!(gate.strain > 0.0 && gate.kinetic > 0.0, "the gate opens");
+    }
+}

@@ -1,0 +1,109 @@
+//! What the fluid sees of anything solid: points with a volume and a motion.
+//!
+//! A boundary point shows each fluid particle a state of its own, pair by pair: the pressure of
+//! that particle plus the hydrostatic difference, its density by the equation of state, and the
+//! point's velocity. Nothing is extrapolated to the point, so the two sides of a thin plate cannot
+//! mix, and the force of the pair on the structure is the pair's force on the fluid with the other
+//! sign. Walls are a layer of points at half a spacing behind the surface and layers ("ghosts")
+//! behind it as deep as the effective radius.
+
+use core::ops::Range;
+use mps_kernel::{Real, Vector};
+
+/// How the fluid moves along a boundary.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Slip {
+    /// No shear force.
+    #[default]
+    Free,
+    /// The fluid's viscosity acts against the velocity of the boundary.
+    None,
+}
+
+/// Walls and wetted structures as one set of points, never reordered.
+#[derive(Clone, Debug)]
+pub struct Boundary<T: Real, const D: usize> {
+    /// Position \[m\].
+    pub position: Vec<Vector<T, D>>,
+    /// Velocity \[m/s\]: over a step, displacement over time step.
+    pub velocity: Vec<Vector<T, D>>,
+    /// Acceleration \[m/s^2\], for the pressure gradient normal to the boundary.
+    pub acceleration: Vec<Vector<T, D>>,
+    /// Volume of the point over that of a fluid particle \[-\].
+    pub volume: Vec<T>,
+    /// 1 where viscosity acts against the point (no slip), 0 where it does not (free slip).
+    pub shear: Vec<T>,
+    /// Force of the fluid on the point \[N\], of the reactive points only.
+    pub force: Vec<Vector<T, D>>,
+    reactive: Range<usize>,
+}
+
+impl<T: Real, const D: usize> Default for Boundary<T, D> {
+    fn default() -> Self {
+        Self {
+            position: Vec::new(),
+            velocity: Vec::new(),
+            acceleration: Vec::new(),
+            volume: Vec::new(),
+            shear: Vec::new(),
+            force: Vec::new(),
+            reactive: 0..0,
+        }
+    }
+}
+
+impl<T: Real, const D: usize> Boundary<T, D> {
+    /// Number of points.
+    pub fn len(&self) -> usize {
+        self.position.len()
+    }
+
+    /// Whether there is no boundary at all.
+    pub fn is_empty(&self) -> bool {
+        self.position.is_empty()
+    }
+
+    /// Points that receive the reaction of the fluid.
+    pub fn reactive(&self) -> Range<usize> {
+        self.reactive.clone()
+    }
+
+    /// Adds the points of a wall that is moved from outside or not at all; each has the volume of
+    /// a fluid particle. Walls come before structures.
+    ///
+    /// Returns the range of the new points, or `None` if a structure has been added before.
+    pub fn add_wall(&mut self, points: &[Vector<T, D>], slip: Slip) -> Option<Range<usize>> {
+        if !self.reactive.is_empty() {
+            return None;
+        }
+        let range = self.extend(points, slip);
+        self.volume.resize(range.end, T::one());
+        self.reactive = range.end..range.end;
+        Some(range)
+    }
+
+    /// Adds the points of a structure that receives the reaction, with their volumes relative to a
+    /// fluid particle.
+    pub fn add_structure(
+        &mut self,
+        points: &[Vector<T, D>],
+        volume: impl Iterator<Item = T>,
+        slip: Slip,
+    ) -> Range<usize> {
+        let range = self.extend(points, slip);
+        self.volume.extend(volume.take(range.len()));
+        self.reactive.end = range.end;
+        range
+    }
+
+    fn extend(&mut self, points: &[Vector<T, D>], slip: Slip) -> Range<usize> {
+        let start = self.len();
+        let end = start + points.len();
+        self.position.extend_from_slice(points);
+        self.velocity.resize(end, Vector::zeros());
+        self.acceleration.resize(end, Vector::zeros());
+        self.force.resize(end, Vector::zeros());
+        self.shear.resize(end, if slip == Slip::None { T::one() } else { T::zero() });
+        start..end
+    }
+}

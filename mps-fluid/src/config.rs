@@ -1,0 +1,121 @@
+//! The numbers that define a fluid and its numerics.
+
+use crate::FluidError;
+use crate::regularize::{Dpc, Shifting};
+use mps_kernel::{Real, Vector};
+
+/// How pressures below zero are treated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tension {
+    /// Negative pressure becomes zero: flows with a free surface, which tear under suction.
+    #[default]
+    Clip,
+    /// Negative pressure is kept: internal flows without a free surface.
+    Keep,
+}
+
+/// Properties and numerical parameters of the fluid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FluidConfig<T: Real, const D: usize> {
+    /// Spacing `l0` of the particles \[m\].
+    pub spacing: T,
+    /// Effective radius over spacing, `re/l0`. Default 3 (paper, section 2.2.1).
+    pub radius_ratio: T,
+    /// Reference density `rho0` \[kg/m^3\]. Default 1000.
+    pub density: T,
+    /// Numerical sound speed `c` \[m/s\]: about ten times the largest expected velocity, so that
+    /// the density stays within 1 %.
+    pub sound_speed: T,
+    /// Acceleration of gravity \[m/s^2\]. Default zero.
+    pub gravity: Vector<T, D>,
+    /// Coefficient `delta` of the density diffusion (eq. 19); 0 switches it off. Default 0.5.
+    pub diffusion: T,
+    /// Courant number of eq. 46. Default 0.5; the paper's 0.1 costs five times as much, see docs.
+    pub cfl: T,
+    /// Treatment of negative pressure. Default [`Tension::Clip`].
+    pub tension: Tension,
+    /// Pairwise collisions; `None` switches them off.
+    pub collisions: Option<Dpc<T>>,
+    /// Particle shifting; `None` switches it off.
+    pub shifting: Option<Shifting<T>>,
+    /// Neighbour rows reach this much beyond `re`, over `l0`; they are rebuilt when a particle has
+    /// moved half of it. Costs or saves time only. Default 0.2.
+    pub skin_ratio: T,
+}
+
+impl<T: Real, const D: usize> FluidConfig<T, D> {
+    /// Water with the paper's parameters for the given spacing \[m\] and sound speed \[m/s\].
+    pub fn water(spacing: T, sound_speed: T) -> Self {
+        Self {
+            spacing,
+            radius_ratio: T::of(3.0),
+            density: T::of(1000.0),
+            sound_speed,
+            gravity: Vector::zeros(),
+            diffusion: T::of(0.5),
+            cfl: T::of(0.5),
+            tension: Tension::Clip,
+            collisions: Some(Dpc::default()),
+            shifting: None,
+            skin_ratio: T::of(0.2),
+        }
+    }
+
+    /// Effective radius `re` \[m\].
+    pub fn radius(&self) -> T {
+        self.radius_ratio * self.spacing
+    }
+
+    /// Mass of a particle \[kg\] (per metre of depth in 2D).
+    pub fn particle_mass(&self) -> T {
+        self.density * self.particle_volume()
+    }
+
+    /// Volume of a particle `l0^D` \[m^D\].
+    pub fn particle_volume(&self) -> T {
+        self.spacing.powi(D as i32)
+    }
+
+    /// Refuses values no simulation can be run with.
+    ///
+    /// # Errors
+    /// Names the parameter, its value and what is allowed.
+    pub fn validate(&self) -> Result<(), FluidError> {
+        let check = |name: &'static str, value: T, low: f64, high: f64, hint: &'static str| {
+            let value = value.to_double();
+            if value.is_finite() && value >= low && value <= high {
+                Ok(())
+            } else {
+                Err(FluidError::Parameter { name, value, low, high, hint })
+            }
+        };
+        let tiny = f64::MIN_POSITIVE;
+        let huge = f64::MAX;
+        check("spacing", self.spacing, tiny, huge, "the distance between particles in metres")?;
+        check("radius_ratio", self.radius_ratio, 1.5, 6.0, "effective radius over spacing, usually 3")?;
+        check("density", self.density, tiny, huge, "in kg/m3")?;
+        check("sound_speed", self.sound_speed, tiny, huge, "about ten times the largest velocity, in m/s")?;
+        check("diffusion", self.diffusion, 0.0, 2.0, "the coefficient delta of the density diffusion")?;
+        check("cfl", self.cfl, tiny, 2.0, "the Courant number, usually 0.1 to 0.8")?;
+        check("skin_ratio", self.skin_ratio, 0.0, 3.0, "the reach of the neighbour rows beyond re, over l0")?;
+        for &component in self.gravity.iter() {
+            check("gravity", component, -huge, huge, "in m/s2")?;
+        }
+        if let Some(dpc) = &self.collisions {
+            check("collisions.repulsion", dpc.repulsion, 0.0, 1.0, "usually 0 to 0.2")?;
+            check("collisions.restitution", dpc.restitution, 0.0, 1.0, "0 sticks, 1 bounces")?;
+            check("collisions.ceiling", dpc.ceiling, 0.0, 1.0, "in rho0 c^2, usually 0.02")?;
+        }
+        if let Some(shifting) = &self.shifting {
+            check("shifting.strength", shifting.strength, 0.0, 10.0, "the factor A_F, usually 1 to 6")?;
+            check(
+                "shifting.iterations",
+                T::of(f64::from(shifting.iterations)),
+                1.0,
+                100.0,
+                "k of icPS, 5 in the paper",
+            )?;
+        }
+        Ok(())
+    }
+}

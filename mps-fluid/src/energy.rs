@@ -1,0 +1,56 @@
+//! Energies and momenta of the fluid.
+
+use crate::eos::EquationOfState;
+use crate::terms::Viscosity;
+use crate::{Fluid, Tension};
+use mps_kernel::{Kernel, Real, Vector};
+use mps_neighbors::{Domain, Parallel};
+
+/// Energies \[J\] (per metre of depth in 2D).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FluidEnergy<T> {
+    /// `sum m u^2/2`.
+    pub kinetic: T,
+    /// `-sum m g . r`, relative to the origin.
+    pub potential: T,
+    /// Energy stored by compression, from the equation of state.
+    pub compression: T,
+}
+
+impl<T: Real> FluidEnergy<T> {
+    /// Sum of the parts \[J\].
+    pub fn total(&self) -> T {
+        self.kinetic + self.potential + self.compression
+    }
+}
+
+impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
+    /// The present energies.
+    pub fn energy(&self, parallel: &Parallel) -> FluidEnergy<T> {
+        let particles = &self.particles;
+        let (m, volume) = (self.config.particle_mass(), self.config.particle_volume());
+        let clip = self.config.tension == Tension::Clip;
+        let half = T::of(0.5);
+        let [kinetic, potential, compression] = parallel.fold(
+            particles.position.len(),
+            [T::zero(); 3],
+            &|i| {
+                let n = particles.density[i];
+                let stored = if clip && n < T::one() { T::zero() } else { self.eos.energy(n) };
+                [
+                    particles.velocity[i].norm_squared() * half,
+                    -self.config.gravity.dot(&particles.position[i]),
+                    stored,
+                ]
+            },
+            &|a, b| [a[0] + b[0], a[1] + b[1], a[2] + b[2]],
+        );
+        FluidEnergy { kinetic: m * kinetic, potential: m * potential, compression: volume * compression }
+    }
+
+    /// Total momentum \[kg m/s\].
+    pub fn momentum(&self, parallel: &Parallel) -> Vector<T, D> {
+        let u = &self.particles.velocity;
+        parallel.fold(u.len(), Vector::zeros(), &|i| u[i], &|a, b| a + b) * self.config.particle_mass()
+    }
+}

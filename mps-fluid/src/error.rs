@@ -1,0 +1,76 @@
+//! What can go wrong, where, and what to do about it.
+
+use mps_kernel::ReferenceDensityError;
+use mps_neighbors::NeighborError;
+use thiserror::Error;
+
+/// Errors of the fluid.
+#[derive(Debug, Error)]
+pub enum FluidError {
+    /// A parameter is out of its range.
+    #[error("fluid parameter `{name}` is {value}, allowed is {low:e} to {high:e}: {hint}")]
+    Parameter {
+        /// Name of the parameter.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// Smallest allowed value.
+        low: f64,
+        /// Largest allowed value.
+        high: f64,
+        /// What the parameter means.
+        hint: &'static str,
+    },
+    /// A field of the initial particles has the wrong length.
+    #[error(
+        "fluid field `{field}` has {len} entries for {particles} particles: all fields need one entry per particle"
+    )]
+    FieldLength {
+        /// Name of the field.
+        field: &'static str,
+        /// Its length.
+        len: usize,
+        /// Number of particles.
+        particles: usize,
+    },
+    /// The reference density could not be formed.
+    #[error(transparent)]
+    Reference(#[from] ReferenceDensityError),
+    /// The neighbour search failed.
+    #[error(transparent)]
+    Neighbors(#[from] NeighborError),
+    /// A particle's state is no longer a finite number.
+    #[error(
+        "fluid particle {id} has {quantity} {value} at t = {time:e} s (step {step}), position {position:?} m: the run has become unstable; \
+         reduce cfl, raise the sound speed above ten times the largest velocity, or switch collisions on"
+    )]
+    NotFinite {
+        /// Identity of the particle.
+        id: u32,
+        /// Which quantity.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// Position \[m\].
+        position: Vec<f64>,
+        /// Time \[s\].
+        time: f64,
+        /// Number of steps done.
+        step: u64,
+    },
+    /// The time step has become too small to get anywhere.
+    #[error(
+        "the fluid time step fell to {dt:e} s at t = {time:e} s because of fluid particle {id}, which moves at {speed} m/s: \
+         it has most likely escaped or been hit; look at it in the last fields written"
+    )]
+    TimeStep {
+        /// The step \[s\].
+        dt: f64,
+        /// Time \[s\].
+        time: f64,
+        /// The particle that limits it.
+        id: u32,
+        /// Its speed \[m/s\].
+        speed: f64,
+    },
+}

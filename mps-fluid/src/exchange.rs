@@ -1,0 +1,191 @@
+//! The interface inside a step: how the pressure answers while a structure takes its sub-steps.
+//!
+//! A structure vibrates faster than the fluid steps. A fluid force held over the whole step would lag
+//! behind that motion by half a step and feed every mode the fluid acts on as a spring, at the rate
+//! `kappa dt/4` (`kappa`: stiffness of the compressed fluid per mass of structure). So the particles
+//! that see the structure are compressed by its motion as it goes:
+//!
+//! `dp_i = - rho0 c^2 (2 D/n0) sum_a V_a (u_a - u_i) . e_ia W_ia/r dt_S`
+//!
+//! with geometry and fluid velocity of the start of the step: the boundary's part of eq. 23. The
+//! structure feels `p_i + dp_i` in every sub-step, the fluid the mean of it over the step, pair by
+//! pair the same impulse. At the end the continuity equation, closed with the structure's mean
+//! velocity, finds the same compression.
+
+use crate::eos::EquationOfState;
+use crate::terms::Viscosity;
+use crate::{Fluid, Tension};
+use mps_kernel::{Kernel, Neighborhood, Real, Vector};
+use mps_neighbors::{Domain, Parallel};
+
+/// One pair across the interface: the other side's index and `V_a e_ia W_ia/r` \[1/m\].
+#[derive(Clone, Copy, Debug)]
+struct Link<T: Real, const D: usize> {
+    other: u32,
+    vector: Vector<T, D>,
+}
+
+/// The pairs across the interface in the present step, from both sides.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Exchange<T: Real, const D: usize> {
+    /// Fluid particles that see a structure.
+    wetted: Vec<u32>,
+    /// For each of them, where its links begin; one more entry than `wetted`.
+    wetted_start: Vec<u32>,
+    wetted_links: Vec<Link<T, D>>,
+    /// For each reactive point, where its links begin; one more entry than points.
+    point_start: Vec<u32>,
+    point_links: Vec<Link<T, D>>,
+    /// Place of a fluid particle in `wetted`; meaningful for those only.
+    place: Vec<u32>,
+    /// Pressure before clipping and its rise since the start of the step \[Pa\].
+    raw: Vec<T>,
+    rise: Vec<T>,
+    /// Rise over the last sub-step \[Pa\].
+    last_rise: Vec<T>,
+    /// Effective change of pressure in the present sub-step, and its sum over the step \[Pa\].
+    change: Vec<T>,
+    sum: Vec<T>,
+    substeps: usize,
+}
+
+impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
+    /// Collects the pairs across the interface at the start of a step.
+    pub(crate) fn prepare_exchange(&mut self) {
+        let reactive = self.boundary.reactive();
+        let mut exchange = core::mem::take(&mut self.exchange);
+        exchange.clear();
+        if !reactive.is_empty() {
+            self.link_wetted(&mut exchange);
+            self.link_points(&mut exchange);
+        }
+        self.exchange = exchange;
+    }
+
+    fn link_wetted(&self, exchange: &mut Exchange<T, D>) {
+        let reactive = self.boundary.reactive();
+        let view = self.boundary_view();
+        exchange.place.resize(self.particles.position.len(), 0);
+        for i in 0..self.particles.position.len() {
+            // Rows ascend, and structures come after the walls.
+            if self.search.boundary.row(i).last().is_none_or(|&a| (a as usize) < reactive.start) {
+                continue;
+            }
+            let before = exchange.wetted_links.len();
+            view.for_each(i, |pair| {
+                if pair.j >= reactive.start && pair.weight > T::zero() {
+                    let vector = pair.gradient_vector() * self.boundary.volume[pair.j];
+                    let other = (pair.j - reactive.start) as u32;
+                    exchange.wetted_links.push(Link { other, vector });
+                }
+            });
+            if exchange.wetted_links.len() > before {
+                exchange.place[i] = exchange.wetted.len() as u32;
+                exchange.wetted.push(i as u32);
+                exchange.wetted_start.push(before as u32);
+                exchange.raw.push(self.eos.pressure(self.particles.density[i]));
+            }
+        }
+        let wetted = exchange.wetted.len();
+        exchange.wetted_start.push(exchange.wetted_links.len() as u32);
+        for field in [&mut exchange.rise, &mut exchange.last_rise, &mut exchange.change, &mut exchange.sum] {
+            field.resize(wetted, T::zero());
+        }
+    }
+
+    fn link_points(&self, exchange: &mut Exchange<T, D>) {
+        let view =
+            mps_neighbors::RowView { points: &self.boundary.position, ..self.view(&self.search.reaction) };
+        for a in self.boundary.reactive() {
+            exchange.point_start.push(exchange.point_links.len() as u32);
+            view.for_each(a, |pair| {
+                if pair.weight > T::zero() {
+                    // Seen from the point, r_ai = -r_ia.
+                    let vector = -pair.gradient_vector() * self.boundary.volume[a];
+                    let other = exchange.place[pair.j];
+                    exchange.point_links.push(Link { other, vector });
+                }
+            });
+        }
+        exchange.point_start.push(exchange.point_links.len() as u32);
+    }
+
+    /// Force \[N\] on reactive point `a` in the present sub-step: that of the start of the step and
+    /// the change of pressure since.
+    pub fn force_on(&self, a: usize) -> Vector<T, D> {
+        let exchange = &self.exchange;
+        let k = a - self.boundary.reactive().start;
+        let mut sum = Vector::zeros();
+        if exchange.point_start.len() > k + 1 {
+            let links = exchange.point_start[k] as usize..exchange.point_start[k + 1] as usize;
+            for link in &exchange.point_links[links] {
+                sum += link.vector * exchange.change[link.other as usize];
+            }
+        }
+        let factor = T::of(2.0) * self.reference.gradient_factor::<D>() * self.config.particle_volume();
+        self.boundary.force[a] + sum * factor
+    }
+
+    /// Compresses the particles at the interface by the motion of the structures over a sub-step of
+    /// `dt` \[s\], whose mean velocities are those of the reactive boundary points.
+    pub fn compress_interface(&mut self, parallel: &Parallel, dt: T) {
+        let Exchange {
+            wetted, wetted_start, wetted_links, raw, rise, last_rise, change, sum, substeps, ..
+        } = &mut self.exchange;
+        *substeps += 1;
+        let (wetted, starts, links, raw) = (&*wetted, &*wetted_start, &*wetted_links, &*raw);
+        let (u, p) = (&self.particles.velocity, &self.particles.pressure);
+        let first = self.boundary.reactive().start;
+        let velocity = &self.boundary.velocity[first..];
+        let config = &self.config;
+        let stiffness = config.density * config.sound_speed * config.sound_speed;
+        let factor = -stiffness * T::of(2.0) * self.reference.gradient_factor::<D>() * dt;
+        let clip = config.tension == Tension::Clip;
+        let half = T::of(0.5);
+        let fields =
+            (rise.as_mut_slice(), last_rise.as_mut_slice(), change.as_mut_slice(), sum.as_mut_slice());
+        parallel.update(fields, |k, (rise, last_rise, change, sum)| {
+            let i = wetted[k] as usize;
+            *sum += *change;
+            let mut rate = T::zero();
+            for link in &links[starts[k] as usize..starts[k + 1] as usize] {
+                rate += (velocity[link.other as usize] - u[i]).dot(&link.vector);
+            }
+            *last_rise = factor * rate;
+            *rise += *last_rise;
+            // The force of the coming sub-step belongs to its middle.
+            let pressure = raw[k] + *rise + *last_rise * half;
+            *change = if clip { pressure.max(T::zero()) } else { pressure } - p[i];
+        });
+    }
+
+    /// Adds the mean change of pressure over the sub-steps to the accelerations of the fluid: the
+    /// reaction to what the structures have felt.
+    pub(crate) fn finish_exchange(&mut self) {
+        let exchange = &self.exchange;
+        if exchange.substeps == 0 {
+            return;
+        }
+        let factor = -T::of(2.0) * self.reference.gradient_factor::<D>()
+            / (self.config.density * T::of(exchange.substeps as f64));
+        for (k, &i) in exchange.wetted.iter().enumerate() {
+            let links = exchange.wetted_start[k] as usize..exchange.wetted_start[k + 1] as usize;
+            let sum = exchange.wetted_links[links].iter().fold(Vector::zeros(), |sum, l| sum + l.vector);
+            self.rates.acceleration[i as usize] += sum * (exchange.sum[k] * factor);
+        }
+    }
+}
+
+impl<T: Real, const D: usize> Exchange<T, D> {
+    fn clear(&mut self) {
+        self.wetted.clear();
+        self.wetted_start.clear();
+        self.wetted_links.clear();
+        self.point_start.clear();
+        self.point_links.clear();
+        for field in [&mut self.raw, &mut self.rise, &mut self.last_rise, &mut self.change, &mut self.sum] {
+            field.clear();
+        }
+        self.substeps = 0;
+    }
+}

@@ -1,0 +1,330 @@
+//! The fluid and the story of one step.
+
+use crate::eos::{EquationOfState, Tait};
+use crate::exchange::Exchange;
+use crate::regularize;
+use crate::search::Search;
+use crate::terms::{Viscosity, WallPair};
+use crate::{Boundary, FluidConfig, FluidError, FluidParticles, Tension};
+use mps_kernel::weights::Rational;
+use mps_kernel::{Kernel, ParticleStore, Real, ReferenceDensity, Vector};
+use mps_neighbors::{Domain, Open, Parallel, RowView, Rows};
+
+/// A weakly compressible MPS fluid with density diffusion (paper 1, section 2.2.2).
+///
+/// `K` is the weight, `V` the viscosity (`()` for none) and `P` the domain ([`Open`] space or a
+/// periodic box). One step is split in two, so that a structure can move in between:
+/// [`begin_step`](Fluid::begin_step) finds the forces, also those on the structure, and
+/// [`finish_step`](Fluid::finish_step) moves the fluid.
+#[derive(Debug)]
+pub struct Fluid<
+    T: Real,
+    const D: usize,
+    K: Kernel<T> = Rational,
+    V: Viscosity<T, D> = (),
+    P: Domain<T, D> = Open,
+> {
+    pub(crate) config: FluidConfig<T, D>,
+    pub(crate) kernel: K,
+    pub(crate) viscosity: V,
+    pub(crate) domain: P,
+    pub(crate) reference: ReferenceDensity<T>,
+    pub(crate) eos: Tait<T>,
+    pub(crate) particles: FluidParticles<T, D>,
+    pub(crate) boundary: Boundary<T, D>,
+    pub(crate) search: Search<T, D>,
+    pub(crate) rates: Rates<T, D>,
+    pub(crate) exchange: Exchange<T, D>,
+    pub(crate) time: T,
+    pub(crate) steps: u64,
+    /// Length of the previous step \[s\], 0 before the first.
+    pub(crate) last_dt: T,
+}
+
+/// What the sweeps of a step leave behind, one entry a particle. Rebuilt in every step, hence
+/// neither permuted nor saved.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Rates<T: Real, const D: usize> {
+    /// What the momentum sweep reads of a neighbour.
+    pub(crate) state: Vec<State<T, D>>,
+    /// What the density sweep reads of a neighbour.
+    pub(crate) flow: Vec<Flow<T, D>>,
+    /// Acceleration \[m/s^2\].
+    pub(crate) acceleration: Vec<Vector<T, D>>,
+    /// Sum of weights over `n0` \[-\], from positions alone.
+    pub(crate) packing: Vec<T>,
+    /// `(D/n0) sum e_ij W_ij/r` \[1/m\]: zero inside, points into the fluid at its surface.
+    pub(crate) asymmetry: Vec<Vector<T, D>>,
+    /// Rate of `n/n0` \[1/s\], or any scalar scratch.
+    pub(crate) density_rate: Vec<T>,
+    /// Velocity or position change of the regularisation, in its units.
+    pub(crate) correction: Vec<Vector<T, D>>,
+}
+
+/// The fields of one particle side by side, so that a sweep fetches one piece of memory a pair.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct State<T: Real, const D: usize> {
+    pub(crate) velocity: Vector<T, D>,
+    pub(crate) pressure: T,
+    /// `n/n0`.
+    pub(crate) density: T,
+    /// `n0/n`.
+    pub(crate) inverse_density: T,
+}
+
+/// As [`State`], for the second sweep: the velocity is the new one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Flow<T: Real, const D: usize> {
+    pub(crate) velocity: Vector<T, D>,
+    /// Corrected gradient of `n/n0` \[1/m\] (eq. 21).
+    pub(crate) gradient: Vector<T, D>,
+    /// `n/n0`.
+    pub(crate) density: T,
+}
+
+impl<T: Real, const D: usize> Rates<T, D> {
+    fn resize(&mut self, len: usize) {
+        self.state.resize(
+            len,
+            State {
+                velocity: Vector::zeros(),
+                pressure: T::zero(),
+                density: T::one(),
+                inverse_density: T::one(),
+            },
+        );
+        self.flow
+            .resize(len, Flow { velocity: Vector::zeros(), gradient: Vector::zeros(), density: T::one() });
+        self.acceleration.resize(len, Vector::zeros());
+        self.packing.resize(len, T::zero());
+        self.asymmetry.resize(len, Vector::zeros());
+        self.density_rate.resize(len, T::zero());
+        self.correction.resize(len, Vector::zeros());
+    }
+}
+
+impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
+    /// A fluid from its particles, the walls and structures around it and its parameters.
+    ///
+    /// # Errors
+    /// If a parameter is out of range or the fields of the particles differ in length.
+    pub fn new(
+        config: FluidConfig<T, D>,
+        kernel: K,
+        viscosity: impl FnOnce(&ReferenceDensity<T>) -> V,
+        domain: P,
+        particles: FluidParticles<T, D>,
+        boundary: Boundary<T, D>,
+    ) -> Result<Self, FluidError> {
+        config.validate()?;
+        let len = particles.len();
+        for (field, found) in [
+            ("velocity", particles.velocity.len()),
+            ("density", particles.density.len()),
+            ("pressure", particles.pressure.len()),
+            ("id", particles.id.len()),
+        ] {
+            if found != len {
+                return Err(FluidError::FieldLength { field, len: found, particles: len });
+            }
+        }
+        let reference = ReferenceDensity::lattice::<K, D>(&kernel, config.spacing, config.radius())?;
+        let mut rates = Rates::default();
+        rates.resize(len);
+        let mut fluid = Self {
+            viscosity: viscosity(&reference),
+            eos: Tait::new(config.density, config.sound_speed),
+            search: Search::new(&config),
+            config,
+            kernel,
+            domain,
+            reference,
+            particles,
+            boundary,
+            rates,
+            exchange: Exchange::default(),
+            time: T::zero(),
+            steps: 0,
+            last_dt: T::zero(),
+        };
+        // So that the pressure belongs to the density from the start.
+        fluid.evaluate_pressure(&Parallel::serial());
+        Ok(fluid)
+    }
+
+    /// One whole step without a structure; returns its length \[s\].
+    ///
+    /// # Errors
+    /// As [`begin_step`](Fluid::begin_step).
+    pub fn step(&mut self, parallel: &Parallel) -> Result<T, FluidError> {
+        let dt = self.begin_step(parallel)?;
+        self.finish_step(parallel, dt);
+        Ok(dt)
+    }
+
+    /// Everything that can be known before anybody moves: neighbours, collisions, pressures,
+    /// accelerations, and the forces on the reactive points of the boundary.
+    ///
+    /// Returns the longest stable time step \[s\] (eq. 46).
+    ///
+    /// # Errors
+    /// If a particle's state is not finite or its speed makes the time step collapse.
+    pub fn begin_step(&mut self, parallel: &Parallel) -> Result<T, FluidError> {
+        self.search.refresh(parallel, &self.domain, &mut self.particles, &self.boundary)?;
+        regularize::shift(self, parallel)?;
+        regularize::collide(self, parallel);
+        self.evaluate_pressure(parallel);
+        self.sweep_momentum(parallel);
+        self.react(parallel);
+        self.prepare_exchange();
+        self.stable_step(parallel)
+    }
+
+    /// Moves the fluid by `dt` \[s\] under the accelerations found by
+    /// [`begin_step`](Fluid::begin_step): velocity, then density with the *new* velocity, then
+    /// position. (Rates of velocity and density from the same old state are unstable.)
+    ///
+    /// Boundary velocities must be those of this step, boundary positions those of its start;
+    /// whoever moves the boundary sets the new positions afterwards.
+    pub fn finish_step(&mut self, parallel: &Parallel, dt: T) {
+        self.finish_exchange();
+        let Rates { acceleration, flow, .. } = &mut self.rates;
+        let acceleration = &*acceleration;
+        parallel.update((self.particles.velocity.as_mut_slice(), flow.as_mut_slice()), |i, (u, flow)| {
+            *u += acceleration[i] * dt;
+            flow.velocity = *u;
+        });
+        self.sweep_density(parallel, dt);
+        let FluidParticles { position, velocity, density, .. } = &mut self.particles;
+        let (velocity, rate) = (&*velocity, &self.rates.density_rate);
+        let domain = self.domain;
+        // Far below any density of a connected fluid; keeps the ratios n_i/n_j of spray finite.
+        let thinnest = T::of(0.1);
+        parallel.update((position.as_mut_slice(), density.as_mut_slice()), |i, (r, n)| {
+            *r = domain.wrap(*r + velocity[i] * dt);
+            *n = (*n + rate[i] * dt).max(thinnest);
+        });
+        self.time += dt;
+        self.last_dt = dt;
+        self.steps += 1;
+    }
+
+    fn evaluate_pressure(&mut self, parallel: &Parallel) {
+        let (eos, clip) = (self.eos, self.config.tension == Tension::Clip);
+        let FluidParticles { pressure, density, velocity, .. } = &mut self.particles;
+        let (density, velocity) = (&*density, &*velocity);
+        parallel.update((pressure.as_mut_slice(), self.rates.state.as_mut_slice()), |i, (p, state)| {
+            *p = eos.pressure(density[i]);
+            if clip {
+                *p = p.max(T::zero());
+            }
+            *state = State {
+                velocity: velocity[i],
+                pressure: *p,
+                density: density[i],
+                inverse_density: T::one() / density[i],
+            };
+        });
+    }
+
+    /// Neighbourhood of fluid particles among themselves.
+    pub(crate) fn view<'a>(&'a self, rows: &'a Rows) -> RowView<'a, T, D, K, P> {
+        RowView {
+            rows,
+            points: &self.particles.position,
+            targets: &self.particles.position,
+            kernel: self.kernel,
+            radius: self.reference.radius,
+            domain: self.domain,
+        }
+    }
+
+    /// Neighbourhood of fluid particles among the boundary points.
+    pub(crate) fn boundary_view(&self) -> RowView<'_, T, D, K, P> {
+        RowView { targets: &self.boundary.position, ..self.view(&self.search.boundary) }
+    }
+
+    pub(crate) fn wall_pair(&self) -> WallPair<T, D> {
+        WallPair {
+            gravity: self.config.gravity,
+            rho0: self.config.density,
+            compressibility: T::one()
+                / (self.config.density * self.config.sound_speed * self.config.sound_speed),
+            clip: self.config.tension == Tension::Clip,
+        }
+    }
+
+    /// The parameters.
+    pub fn config(&self) -> &FluidConfig<T, D> {
+        &self.config
+    }
+
+    /// The particles, in their present order.
+    pub fn particles(&self) -> &FluidParticles<T, D> {
+        &self.particles
+    }
+
+    /// The particles, to set initial velocities or densities. Their number must stay.
+    pub fn particles_mut(&mut self) -> &mut FluidParticles<T, D> {
+        &mut self.particles
+    }
+
+    /// Walls and structures as the fluid sees them.
+    pub fn boundary(&self) -> &Boundary<T, D> {
+        &self.boundary
+    }
+
+    /// Walls and structures, to move them. The number of points must stay.
+    pub fn boundary_mut(&mut self) -> &mut Boundary<T, D> {
+        &mut self.boundary
+    }
+
+    /// Reference lattice values.
+    pub fn reference(&self) -> &ReferenceDensity<T> {
+        &self.reference
+    }
+
+    /// Sum of weights over `n0` of each particle \[-\], as last measured by
+    /// [`measure_packing`](Self::measure_packing).
+    pub fn packing(&self) -> &[T] {
+        &self.rates.packing
+    }
+
+    /// Accelerations \[m/s^2\] of the last step.
+    pub fn acceleration(&self) -> &[Vector<T, D>] {
+        &self.rates.acceleration
+    }
+
+    /// Simulated time \[s\].
+    pub fn time(&self) -> T {
+        self.time
+    }
+
+    /// Steps done.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Number of fluid particles within the effective radius of reactive boundary point `a`.
+    pub fn contacts(&self, a: usize) -> usize {
+        use mps_kernel::Neighborhood;
+        let rows = &self.search.reaction;
+        if a >= rows.len() {
+            return 0;
+        }
+        let mut count = 0;
+        let view = RowView { points: &self.boundary.position, ..self.view(rows) };
+        view.for_each(a, |pair| count += usize::from(pair.weight > T::zero()));
+        count
+    }
+
+    /// How often the neighbour rows have been rebuilt.
+    pub fn rebuilds(&self) -> u64 {
+        self.search.rebuilds
+    }
+
+    /// Directed fluid-fluid pairs in the present rows, those in the skin included.
+    pub fn pairs(&self) -> usize {
+        self.search.fluid.pairs()
+    }
+}

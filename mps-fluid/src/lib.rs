@@ -1,0 +1,32 @@
+//! The weakly compressible MPS fluid (paper 1, sections 2.2.2 and 2.2.7).
+//!
+//! Number density by the continuity equation, density diffusion (DMPS), conservative pressure
+//! gradient, Tait's equation of state, symplectic stepping, boundary points with free slip or no
+//! slip, free-surface detection, pairwise collisions (DPC) and iterative corrected shifting (icPS).
+
+mod boundary;
+mod config;
+mod continuity;
+mod energy;
+mod eos;
+mod error;
+mod exchange;
+mod fluid;
+mod momentum;
+mod packing;
+mod particles;
+mod regularize;
+mod search;
+pub mod surface;
+mod terms;
+mod time_step;
+
+pub use boundary::{Boundary, Slip};
+pub use config::{FluidConfig, Tension};
+pub use energy::FluidEnergy;
+pub use eos::{EquationOfState, Tait};
+pub use error::FluidError;
+pub use fluid::Fluid;
+pub use particles::FluidParticles;
+pub use regularize::{Dpc, Shifting};
+pub use terms::{ArtificialViscosity, LaminarViscosity, Viscosity};

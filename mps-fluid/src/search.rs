@@ -1,0 +1,90 @@
+//! The neighbour rows of the fluid and when they are rebuilt.
+
+use crate::{Boundary, FluidConfig, FluidError, FluidParticles};
+use mps_kernel::{Real, Vector};
+use mps_neighbors::{Cells, Domain, Parallel, Permutation, Rows, Skin};
+
+/// Rows fluid -> fluid, fluid -> boundary and structure -> fluid, valid until somebody has moved
+/// half a skin.
+#[derive(Debug)]
+pub(crate) struct Search<T: Real, const D: usize> {
+    /// Neighbours within the effective radius.
+    pub(crate) fluid: Rows,
+    /// Boundary points within the effective radius; empty without a boundary.
+    pub(crate) boundary: Rows,
+    /// For each reactive boundary point, the fluid particles that see it.
+    pub(crate) reaction: Rows,
+    /// Neighbours within one spacing, for collisions; empty if those are off.
+    pub(crate) close: Rows,
+    cells: Cells<T, D>,
+    boundary_cells: Cells<T, D>,
+    permutation: Permutation,
+    skin: Skin<T, D>,
+    reach: T,
+    close_reach: Option<T>,
+    /// Number of rebuilds so far.
+    pub(crate) rebuilds: u64,
+}
+
+impl<T: Real, const D: usize> Search<T, D> {
+    pub(crate) fn new(config: &FluidConfig<T, D>) -> Self {
+        let skin = config.skin_ratio * config.spacing;
+        // Shifting moves particles between the check and the sweeps; its bound is kept in reserve.
+        let reserve = match config.shifting {
+            Some(_) => T::of(2.0) * crate::regularize::largest_shift(config.spacing),
+            None => T::zero(),
+        };
+        Self {
+            fluid: Rows::default(),
+            boundary: Rows::default(),
+            reaction: Rows::default(),
+            close: Rows::default(),
+            cells: Cells::new(),
+            boundary_cells: Cells::new(),
+            permutation: Permutation::default(),
+            skin: Skin::new((skin - reserve).max(T::zero())),
+            reach: config.radius() + skin,
+            close_reach: config.collisions.map(|_| config.spacing + skin),
+            rebuilds: 0,
+        }
+    }
+
+    /// Puts the particles into spatial order and rebuilds all rows, if somebody has moved so far
+    /// that a pair could be missing. Returns whether it did.
+    pub(crate) fn refresh<P: Domain<T, D>>(
+        &mut self,
+        parallel: &Parallel,
+        domain: &P,
+        particles: &mut FluidParticles<T, D>,
+        boundary: &Boundary<T, D>,
+    ) -> Result<bool, FluidError> {
+        if !self.skin.expired(parallel, domain, &[&particles.position, &boundary.position]) {
+            return Ok(false);
+        }
+        self.cells.build(parallel, domain, &particles.position, self.reach)?;
+        self.permutation.apply(particles, self.cells.order())?;
+        self.cells.settle();
+        let points: &[Vector<T, D>] = &particles.position;
+        self.fluid.build_within(parallel, domain, &self.cells, points, self.reach)?;
+        if let Some(reach) = self.close_reach {
+            self.close.build_within(parallel, domain, &self.cells, points, reach)?;
+        }
+        if !boundary.is_empty() {
+            self.boundary_cells.build(parallel, domain, &boundary.position, self.reach)?;
+            self.boundary.build_between(
+                parallel,
+                domain,
+                &self.boundary_cells,
+                points,
+                &boundary.position,
+                self.reach,
+            )?;
+            if !boundary.reactive().is_empty() {
+                self.reaction.transpose_of(&self.boundary, boundary.len())?;
+            }
+        }
+        self.skin.renew(&[points, &boundary.position]);
+        self.rebuilds += 1;
+        Ok(true)
+    }
+}

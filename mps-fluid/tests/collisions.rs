@@ -1,0 +1,113 @@
+//! Pairwise collisions keep momentum and never create kinetic energy, whatever the cloud.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
+
+mod common;
+
+use common::Noise;
+use mps_fluid::{Boundary, Dpc, Fluid, FluidConfig, FluidParticles};
+use mps_kernel::Vector;
+use mps_kernel::weights::Rational;
+use mps_neighbors::{Open, Parallel};
+use proptest::prelude::*;
+
+const L0: f64 = 0.01;
+
+/// Particles in a box of `width` spacings; every fourth one sits on top of the one before, every
+/// fourth a hair beside it, if `clustered`.
+fn cloud<const D: usize>(len: usize, width: f64, clustered: bool, seed: u64) -> FluidParticles<f64, D> {
+    let mut noise = Noise::new(seed);
+    let mut points: Vec<Vector<f64, D>> = Vec::new();
+    for i in 0..len {
+        let last = points.last().copied().unwrap_or_else(Vector::zeros);
+        points.push(match i % 4 {
+            1 if clustered => last,
+            2 if clustered => last + noise.vector::<f64, D>(1e-9 * L0),
+            _ => noise.vector(width * L0),
+        });
+    }
+    let mut particles = FluidParticles::at_rest(points);
+    particles.velocity.iter_mut().for_each(|u| *u = noise.vector(1.0));
+    particles
+}
+
+/// Kinetic energy and momentum (both per mass) before and after the collisions of one step.
+fn collide<const D: usize>(
+    particles: FluidParticles<f64, D>,
+    dpc: Dpc<f64>,
+) -> ([f64; 2], [Vector<f64, D>; 2], Fluid<f64, D>) {
+    let config = FluidConfig { collisions: Some(dpc), ..FluidConfig::water(L0, 10.0) };
+    let boundary = Boundary::default();
+    let mut fluid = Fluid::new(config, Rational, |_| (), Open, particles, boundary).unwrap();
+    let sums = |fluid: &Fluid<f64, D>| {
+        let u = &fluid.particles().velocity;
+        let kinetic: f64 = u.iter().map(|u| 0.5 * u.norm_squared()).sum();
+        (kinetic, u.iter().sum::<Vector<f64, D>>())
+    };
+    let before = sums(&fluid);
+    // At the beginning of a step velocities are changed by collisions alone.
+    fluid.begin_step(&Parallel::serial()).unwrap();
+    let after = sums(&fluid);
+    ([before.0, after.0], [before.1, after.1], fluid)
+}
+
+proptest! {
+    // No file of past failures: integration tests have no place for one.
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn kinetic_energy_never_rises_and_momentum_stays(
+        len in 2_usize..120,
+        width in 0.3_f64..8.0,
+        clustered: bool,
+        restitution in 0.0_f64..=1.0,
+        seed: u64,
+    ) {
+        // The background pressure does work; here it is off.
+        let dpc = Dpc { restitution, repulsion: 0.0, ceiling: 0.02 };
+        let (energy, momentum, _) = collide(cloud::<2>(len, width, clustered, seed), dpc);
+        prop_assert!(energy[1] <= energy[0] * (1.0 + 1e-14), "{} to {}", energy[0], energy[1]);
+        prop_assert!((momentum[1] - momentum[0]).norm() < 1e-13 * len as f64);
+        let (energy, momentum, _) = collide(cloud::<3>(len, width, clustered, seed), dpc);
+        prop_assert!(energy[1] <= energy[0] * (1.0 + 1e-14), "3D: {} to {}", energy[0], energy[1]);
+        prop_assert!((momentum[1] - momentum[0]).norm() < 1e-13 * len as f64);
+    }
+
+    #[test]
+    fn no_cloud_becomes_infinite(len in 2_usize..60, width in 0.0_f64..3.0, seed: u64) {
+        let (_, _, mut fluid) = collide(cloud::<2>(len, width, true, seed), Dpc::default());
+        for _ in 0..5 {
+            // Squeezed into a point, a cloud may be refused with an error, but never go on with NaN.
+            if fluid.step(&Parallel::serial()).is_err() {
+                break;
+            }
+            prop_assert!(fluid.particles().velocity.iter().all(|u| u.norm().is_finite()));
+        }
+    }
+}
+
+fn pair(distance: f64, speed: f64, dpc: Dpc<f64>) -> f64 {
+    let mut particles = FluidParticles::at_rest(vec![Vector::zeros(), Vector::<f64, 2>::new(distance, 0.0)]);
+    particles.velocity[0].x = speed;
+    particles.velocity[1].x = -speed;
+    let (_, _, fluid) = collide(particles, dpc);
+    let first = usize::from(fluid.particles().id[0] != 0);
+    fluid.particles().velocity[first].x
+}
+
+#[test]
+fn an_overlapping_pair_sticks_or_bounces_as_told() {
+    let dpc = |restitution| Dpc { restitution, repulsion: 0.0, ceiling: 0.02 };
+    for (restitution, expected) in [(0.0, 0.0), (0.5, -0.5), (1.0, -1.0)] {
+        let after = pair(0.3 * L0, 1.0, dpc(restitution));
+        assert!((after - expected).abs() < 1e-14, "restitution {restitution}: {after}");
+    }
+}
+
+#[test]
+fn pairs_that_part_or_stand_a_spacing_apart_do_not_collide() {
+    let dpc = Dpc { restitution: 1.0, repulsion: 0.0, ceiling: 0.02 };
+    assert_eq!(pair(0.3 * L0, -1.0, dpc), -1.0);
+    assert_eq!(pair(1.001 * L0, 1.0, dpc), 1.0);
+    // Continuous at the edge of the range.
+    assert!(pair(0.9999 * L0, 1.0, dpc) > 0.97);
+}

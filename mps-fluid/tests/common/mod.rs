@@ -1,0 +1,127 @@
+//! Scenes shared by the tests.
+#![allow(dead_code, unreachable_pub, reason = "every test uses its own part")]
+
+use mps_fluid::{Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait, Viscosity};
+use mps_kernel::weights::Rational;
+use mps_kernel::{Real, ReferenceDensity, Vector};
+use mps_neighbors::Open;
+
+/// Reproducible noise in [-1, 1).
+pub struct Noise(u64);
+
+impl Noise {
+    pub fn new(seed: u64) -> Self {
+        Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(1))
+    }
+
+    pub fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as f64 / (1_u64 << 30) as f64 - 1.0
+    }
+
+    pub fn vector<T: Real, const D: usize>(&mut self, size: f64) -> Vector<T, D> {
+        Vector::from_fn(|_, _| T::of(size * self.next()))
+    }
+}
+
+/// Cell centres of the lattice with spacing `l0` in a box of `counts` cells from `corner`.
+pub fn lattice<T: Real, const D: usize>(corner: [f64; D], counts: [usize; D], l0: f64) -> Vec<Vector<T, D>> {
+    let total = counts.iter().product();
+    (0..total)
+        .map(|index: usize| {
+            let mut rest = index;
+            Vector::from_fn(|axis, _| {
+                let k = rest % counts[axis];
+                rest /= counts[axis];
+                T::of(corner[axis] + (k as f64 + 0.5) * l0)
+            })
+        })
+        .collect()
+}
+
+/// Three layers of points below and beside a box that is open at the top (the last axis).
+pub fn tank_walls<T: Real, const D: usize>(counts: [usize; D], height: usize, l0: f64) -> Vec<Vector<T, D>> {
+    let layers = 3;
+    let mut around = counts.map(|n| n + 2 * layers);
+    around[D - 1] = height + layers;
+    let corner = [-(layers as f64) * l0; D];
+    let inside = |p: &Vector<T, D>| {
+        (0..D).all(|axis| {
+            let x = p[axis].to_double();
+            x > 0.0 && (axis == D - 1 || x < counts[axis] as f64 * l0)
+        })
+    };
+    lattice::<T, D>(corner, around, l0).into_iter().filter(|p| !inside(p)).collect()
+}
+
+/// Three layers of points all around a box of `counts` cells at the origin.
+pub fn closed_walls<const D: usize>(counts: [usize; D], l0: f64) -> Vec<Vector<f64, D>> {
+    let inside = |p: &Vector<f64, D>| (0..D).all(|axis| p[axis] > 0.0 && p[axis] < counts[axis] as f64 * l0);
+    lattice::<f64, D>([-3.0 * l0; D], counts.map(|n| n + 6), l0).into_iter().filter(|p| !inside(p)).collect()
+}
+
+/// A tank of `counts` particles at rest under gravity, with hydrostatic density.
+pub fn tank<T: Real, const D: usize, V: Viscosity<T, D>>(
+    counts: [usize; D],
+    config: FluidConfig<T, D>,
+    viscosity: impl FnOnce(&ReferenceDensity<T>) -> V,
+) -> Fluid<T, D, Rational, V> {
+    let l0 = config.spacing.to_double();
+    let points = lattice::<T, D>([0.0; D], counts, l0);
+    let mut particles = FluidParticles::at_rest(points);
+    let eos = Tait::new(config.density, config.sound_speed);
+    let surface = T::of(counts[D - 1] as f64 * l0);
+    let g = -config.gravity[D - 1];
+    for (n, r) in particles.density.iter_mut().zip(&particles.position) {
+        *n = eos.density(config.density * g * (surface - r[D - 1]));
+    }
+    let mut boundary = Boundary::default();
+    let height = counts[D - 1] + counts[D - 1] / 2;
+    boundary.add_wall(&tank_walls::<T, D>(counts, height, l0), Slip::Free).unwrap();
+    Fluid::new(config, Rational, viscosity, Open, particles, boundary).unwrap()
+}
+
+/// Water of the given spacing under gravity, `c = 10 sqrt(g H)`.
+pub fn water<T: Real, const D: usize>(l0: f64, depth: f64) -> FluidConfig<T, D> {
+    let mut config = FluidConfig::water(T::of(l0), T::of(10.0 * (9.81 * depth).sqrt()));
+    config.gravity[D - 1] = T::of(-9.81);
+    config
+}
+
+/// Spacing and sound speed of [`blob`].
+pub const BLOB: (f64, f64) = (0.01, 10.0);
+
+/// A block of fluid alone in space: a disturbed lattice with random velocities up to `speed` and
+/// random densities within 1 %.
+pub fn blob<const D: usize, V: Viscosity<f64, D>>(
+    count: usize,
+    speed: f64,
+    config: FluidConfig<f64, D>,
+    viscosity: impl FnOnce(&ReferenceDensity<f64>) -> V,
+) -> Fluid<f64, D, Rational, V> {
+    let mut noise = Noise::new(7);
+    let l0 = config.spacing;
+    let mut points = lattice::<f64, D>([0.0; D], [count; D], l0);
+    for r in &mut points {
+        *r += noise.vector::<f64, D>(0.15 * l0);
+    }
+    let mut particles = FluidParticles::at_rest(points);
+    for (u, n) in particles.velocity.iter_mut().zip(&mut particles.density) {
+        *u = noise.vector(speed);
+        *n += 0.01 * noise.next();
+    }
+    Fluid::new(config, Rational, viscosity, Open, particles, Boundary::default()).unwrap()
+}
+
+/// Root mean square of `p - hydrostatic`, over the pressure at the bottom.
+pub fn pressure_error<T: Real, const D: usize, V: Viscosity<T, D>>(
+    fluid: &Fluid<T, D, Rational, V>,
+    depth: f64,
+) -> f64 {
+    let particles = fluid.particles();
+    let error = |(r, p): (&Vector<T, D>, &T)| {
+        (p.to_double() - 1000.0 * 9.81 * (depth - r[D - 1].to_double())).powi(2)
+    };
+    let sum: f64 = particles.position.iter().zip(&particles.pressure).map(error).sum();
+    (sum / particles.position.len() as f64).sqrt() / (1000.0 * 9.81 * depth)
+}

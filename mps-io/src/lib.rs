@@ -1,0 +1,35 @@
+//! Fields for ParaView, CSV probes, PNG plots, progress and run summaries.
+//!
+//! This crate watches a simulation, reads and writes; it never steers. It knows the vectors and
+//! tensors of `mps-kernel` and nothing of fluids, solids or time steps.
+//!
+//! - [`prepare_output`]: proves before the first step that results can be written.
+//! - [`FieldWriter`], [`PointCloud`]: one `.vtu` a frame and a `.pvd` that ParaView opens while the
+//!   job runs.
+//! - [`CsvWriter`], [`CsvTable`]: time series, complete after every row; reference curves.
+//! - [`CurvePlot`]: results as lines, experiments as markers.
+//! - [`FieldPicture`], [`Film`]: particles coloured by pressure or strain, stills and animated PNG.
+//! - [`Progress`]: how far a run is and when it will be done.
+//! - [`Summary`], [`Metric`]: `summary.json`, the record of a run.
+//!
+//! Everything that replaces a file does so whole or not at all, so that a reader never meets half a
+//! file; what grows (tables, films) is complete after every piece. A killed run keeps its results.
+
+mod csv;
+mod directory;
+mod error;
+pub mod picture;
+mod plot;
+mod progress;
+mod raster;
+mod summary;
+pub mod vtk;
+
+pub use csv::{CsvTable, CsvWriter};
+pub use directory::prepare_output;
+pub use error::OutputError;
+pub use picture::{ColorMap, FieldPicture, Film, Image, View, value_range};
+pub use plot::CurvePlot;
+pub use progress::Progress;
+pub use summary::{Metric, Summary, Value, peak_memory_bytes};
+pub use vtk::{FieldOptions, FieldWriter, PointCloud};

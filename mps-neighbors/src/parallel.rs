@@ -1,0 +1,296 @@
+//! Parallel loops whose results do not depend on the number of threads.
+//!
+//! Work is halved recursively at multiples of a fixed block of particles, whatever the pool: the
+//! tree, and with it the order of every sum, is a function of the number of particles alone. Each
+//! loop writes only to its own particle ("gather"), so there is no lock and no scatter.
+
+use mps_kernel::Real;
+use thiserror::Error;
+
+/// Particles a leaf of the recursion handles in sequence.
+const BLOCK: usize = 512;
+
+/// The threads a simulation runs on.
+///
+/// ```
+/// use mps_neighbors::Parallel;
+///
+/// let parallel = Parallel::new(2)?;
+/// let mut squares = vec![0.0; 5000];
+/// parallel.update(squares.as_mut_slice(), |i, square| *square = (i * i) as f64);
+/// let sum: f64 = parallel.sum(squares.len(), |i| squares[i]);
+/// assert_eq!(sum, 41654167500.0);
+/// # Ok::<(), mps_neighbors::ParallelError>(())
+/// ```
+#[derive(Debug)]
+pub struct Parallel {
+    pool: Option<rayon::ThreadPool>,
+    threads: usize,
+}
+
+/// Why no threads could be started.
+#[derive(Debug, Error)]
+pub enum ParallelError {
+    /// Zero threads were asked for.
+    #[error("the number of threads must be at least 1, got 0: leave it out to use all cores")]
+    ZeroThreads,
+    /// The operating system refused.
+    #[error("could not start {threads} threads: {reason}; ask for fewer")]
+    Refused {
+        /// Threads asked for.
+        threads: usize,
+        /// The words of the thread pool.
+        reason: String,
+    },
+}
+
+impl Parallel {
+    /// Starts `threads` threads; 1 runs everything on the calling thread.
+    ///
+    /// # Errors
+    /// If `threads` is 0 or the system refuses to start them.
+    pub fn new(threads: usize) -> Result<Self, ParallelError> {
+        match threads {
+            0 => Err(ParallelError::ZeroThreads),
+            1 => Ok(Self::serial()),
+            _ => rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .map(|pool| Self { pool: Some(pool), threads })
+                .map_err(|e| ParallelError::Refused { threads, reason: e.to_string() }),
+        }
+    }
+
+    /// Everything on the calling thread.
+    pub fn serial() -> Self {
+        Self { pool: None, threads: 1 }
+    }
+
+    /// As many threads as the machine has cores.
+    ///
+    /// # Errors
+    /// If the system refuses to start them.
+    pub fn all_cores() -> Result<Self, ParallelError> {
+        Self::new(std::thread::available_parallelism().map_or(1, usize::from))
+    }
+
+    /// Number of threads.
+    pub fn threads(&self) -> usize {
+        self.threads
+    }
+
+    /// Runs `work` inside the pool. Loops started from inside need no hand-over between threads;
+    /// a time loop is best run as a whole in here.
+    pub fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        match &self.pool {
+            Some(pool) => pool.install(work),
+            None => work(),
+        }
+    }
+
+    /// Calls `each(i, item)` once for every particle `i`; `fields` is one mutable slice or a tuple
+    /// of slices of equal length, `item` the references to entry `i` of each.
+    pub fn update<F: Fields>(&self, fields: F, each: impl Fn(usize, F::Item) + Sync) {
+        match &self.pool {
+            Some(_) if fields.len() > BLOCK => self.install(|| halve(fields, 0, &each)),
+            _ => fields.for_each(0, &each),
+        }
+    }
+
+    /// Calls `work(i, item)` once for every item, each of which is a block of particles and worth a
+    /// task of its own.
+    pub(crate) fn blocks<B: Send>(&self, blocks: &mut [B], work: impl Fn(usize, &mut B) + Sync) {
+        match &self.pool {
+            Some(_) if blocks.len() > 1 => {
+                self.install(|| halve_to(1, blocks, 0, &|i, b: &mut B| work(i, b)))
+            }
+            _ => blocks.for_each(0, &work),
+        }
+    }
+
+    /// Sum of `value(i)` over `0..len`, always added in the same order.
+    pub fn sum<A>(&self, len: usize, value: impl Fn(usize) -> A + Sync) -> A
+    where
+        A: Copy + Send + Sync + Default + core::ops::Add<Output = A>,
+    {
+        self.fold(len, A::default(), &value, &|a, b| a + b)
+    }
+
+    /// Largest `value(i)` over `0..len`, or `least` if that is larger or `len` is zero.
+    /// NaN values are ignored.
+    pub fn max<T: Real>(&self, len: usize, least: T, value: impl Fn(usize) -> T + Sync) -> T {
+        self.fold(len, least, &value, &|a, b| if b > a { b } else { a })
+    }
+
+    /// Folds `value(i)` with an associative-in-exact-arithmetic `combine`, whose order is fixed.
+    pub fn fold<A: Copy + Send + Sync>(
+        &self,
+        len: usize,
+        start: A,
+        value: &(impl Fn(usize) -> A + Sync),
+        combine: &(impl Fn(A, A) -> A + Sync),
+    ) -> A {
+        if self.pool.is_some() && len > BLOCK {
+            self.install(|| fold_halves(0, len, start, value, combine, true))
+        } else {
+            fold_halves(0, len, start, value, combine, false)
+        }
+    }
+}
+
+/// One or several mutable slices of equal length that can be cut in two.
+pub trait Fields: Send + Sized {
+    /// References to one entry of every slice.
+    type Item;
+    /// Length of the shortest slice.
+    fn len(&self) -> usize;
+    /// Whether there is no entry.
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+    /// Cuts every slice at `middle`.
+    fn cut(self, middle: usize) -> (Self, Self);
+    /// Visits the entries in order; the first one is particle `first`.
+    fn for_each(self, first: usize, each: &impl Fn(usize, Self::Item));
+}
+
+impl<'a, A: Send> Fields for &'a mut [A] {
+    type Item = &'a mut A;
+
+    fn len(&self) -> usize {
+        <[A]>::len(self)
+    }
+
+    fn cut(self, middle: usize) -> (Self, Self) {
+        self.split_at_mut(middle)
+    }
+
+    #[inline]
+    fn for_each(self, first: usize, each: &impl Fn(usize, Self::Item)) {
+        for (k, item) in self.iter_mut().enumerate() {
+            each(first + k, item);
+        }
+    }
+}
+
+macro_rules! fields_of_tuple {
+    ($($slice:ident $head:ident $tail:ident),+) => {
+        impl<'a, $($slice: Send),+> Fields for ($(&'a mut [$slice],)+) {
+            type Item = ($(&'a mut $slice,)+);
+
+            #[allow(non_snake_case)]
+            fn len(&self) -> usize {
+                let ($($slice,)+) = self;
+                usize::MAX$(.min($slice.len()))+
+            }
+
+            #[allow(non_snake_case)]
+            fn cut(self, middle: usize) -> (Self, Self) {
+                let ($($slice,)+) = self;
+                $(let ($head, $tail) = $slice.split_at_mut(middle);)+
+                (($($head,)+), ($($tail,)+))
+            }
+
+            #[inline]
+            #[allow(non_snake_case)]
+            fn for_each(self, first: usize, each: &impl Fn(usize, Self::Item)) {
+                let len = self.len();
+                let ($($slice,)+) = self;
+                $(let mut $slice = $slice[..len].iter_mut();)+
+                for k in 0..len {
+                    // All iterators yield exactly `len` entries.
+                    if let ($(Some($head),)+) = ($($slice.next(),)+) {
+                        each(first + k, ($($head,)+));
+                    }
+                }
+            }
+        }
+    };
+}
+
+fields_of_tuple!(A a0 a1, B b0 b1);
+fields_of_tuple!(A a0 a1, B b0 b1, C c0 c1);
+fields_of_tuple!(A a0 a1, B b0 b1, C c0 c1, E e0 e1);
+fields_of_tuple!(A a0 a1, B b0 b1, C c0 c1, E e0 e1, G g0 g1);
+
+/// [`Parallel::update`] on the pool the caller runs in, or on the calling thread if in none.
+pub(crate) fn in_pool<F: Fields>(fields: F, each: &(impl Fn(usize, F::Item) + Sync)) {
+    if rayon::current_thread_index().is_some() {
+        halve(fields, 0, each);
+    } else {
+        fields.for_each(0, each);
+    }
+}
+
+/// Where to cut `len` entries: near the middle, at a multiple of the block.
+fn middle(block: usize, len: usize) -> usize {
+    (len.div_ceil(block) / 2).max(1) * block
+}
+
+fn halve<F: Fields>(fields: F, first: usize, each: &(impl Fn(usize, F::Item) + Sync)) {
+    halve_to(BLOCK, fields, first, each);
+}
+
+fn halve_to<F: Fields>(block: usize, fields: F, first: usize, each: &(impl Fn(usize, F::Item) + Sync)) {
+    if fields.len() <= block {
+        return fields.for_each(first, each);
+    }
+    let cut = middle(block, fields.len());
+    let (left, right) = fields.cut(cut);
+    rayon::join(|| halve_to(block, left, first, each), || halve_to(block, right, first + cut, each));
+}
+
+fn fold_halves<A: Copy + Send + Sync>(
+    first: usize,
+    len: usize,
+    start: A,
+    value: &(impl Fn(usize) -> A + Sync),
+    combine: &(impl Fn(A, A) -> A + Sync),
+    threads: bool,
+) -> A {
+    if len <= BLOCK {
+        return (first..first + len).fold(start, |sum, i| combine(sum, value(i)));
+    }
+    let cut = middle(BLOCK, len);
+    let left = || fold_halves(first, cut, start, value, combine, threads);
+    let right = || fold_halves(first + cut, len - cut, start, value, combine, threads);
+    let (a, b) = if threads { rayon::join(left, right) } else { (left(), right()) };
+    combine(a, b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A plain parallel sum gave a different last bit from run to run.
+    #[test]
+    fn sums_have_the_same_bits_for_any_number_of_threads() {
+        let values: Vec<f64> = (0..100_003).map(|i| ((i * 7919 % 10_007) as f64).sin() * 1e-3).collect();
+        let expected = Parallel::serial().sum(values.len(), |i| values[i]).to_bits();
+        for threads in [2, 3, 8] {
+            let parallel = Parallel::new(threads).unwrap();
+            for _ in 0..20 {
+                assert_eq!(parallel.sum(values.len(), |i| values[i]).to_bits(), expected);
+            }
+        }
+    }
+
+    #[test]
+    fn update_reaches_every_entry_once() {
+        let parallel = Parallel::new(3).unwrap();
+        for len in [0, 1, BLOCK, BLOCK + 1, 3 * BLOCK + 17] {
+            let mut a = vec![0usize; len];
+            let mut b = vec![0usize; len];
+            parallel.update((a.as_mut_slice(), b.as_mut_slice()), |i, (a, b)| {
+                *a += i;
+                *b += 2 * i;
+            });
+            assert!((0..len).all(|i| a[i] == i && b[i] == 2 * i), "{len} entries");
+        }
+    }
+
+    #[test]
+    fn zero_threads_are_refused() {
+        assert!(matches!(Parallel::new(0), Err(ParallelError::ZeroThreads)));
+    }
+}

@@ -1,0 +1,59 @@
+//! Rows and trying all pairs are the same neighbourhood.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
+
+mod common;
+
+use common::jittered;
+use mps_kernel::weights::{Rational, WendlandC2};
+use mps_kernel::{Kernel, Neighborhood, Vector};
+use mps_neighbors::{BruteForce, Cells, Open, Parallel, PeriodicBox, RowView, Rows};
+
+fn sums<K: Kernel<f64>>(kernel: K) {
+    let (points, radius, skin) = (jittered::<2>(20, 3), 2.1, 0.2);
+    let domain = PeriodicBox::new(Vector::repeat(-0.5), [Some(20.0), None]).unwrap();
+    let (parallel, mut cells, mut rows) = (Parallel::serial(), Cells::new(), Rows::default());
+    cells.build(&parallel, &domain, &points, radius + skin).unwrap();
+    rows.build_within(&parallel, &domain, &cells, &points, radius + skin).unwrap();
+    let view = RowView { rows: &rows, points: &points, targets: &points, kernel, radius, domain };
+    let brute = BruteForce::within(domain, &points, kernel, radius);
+    assert_eq!(view.len(), brute.len());
+    let mut in_skin = 0;
+    for i in 0..view.len() {
+        let (mut seen, mut expected) = (Vec::new(), Vec::new());
+        view.for_each(i, |pair| {
+            if pair.distance() < radius {
+                seen.push(*pair);
+            } else {
+                assert_eq!((pair.weight, pair.over_r2), (0.0, 0.0));
+                in_skin += 1;
+            }
+        });
+        brute.for_each(i, |pair| expected.push(*pair));
+        assert_eq!(seen, expected);
+    }
+    assert!(in_skin > 0);
+}
+
+#[test]
+fn rows_visit_the_same_pairs_in_the_same_order() {
+    sums(WendlandC2);
+    sums(Rational);
+}
+
+/// The oracle itself, by hand.
+#[test]
+fn trying_all_pairs_finds_what_is_near() {
+    let points = [0.0, 1.0, 1.5, 9.0, 1.0].map(|x| Vector::<f64, 3>::new(x, 0.0, 0.0));
+    let near = |neighborhood: &BruteForce<'_, f64, 3, WendlandC2>, i| {
+        let mut row = Vec::new();
+        neighborhood.for_each(i, |pair| row.push((pair.j, pair.r_ij[0])));
+        row
+    };
+    let within = BruteForce::within(Open, &points, WendlandC2, 1.0);
+    assert_eq!(near(&within, 0), [(1, 1.0), (4, 1.0)]);
+    assert_eq!(near(&within, 1), [(0, -1.0), (2, 0.5), (4, 0.0)]);
+    assert_eq!(near(&within, 3), []);
+    let between = BruteForce::between(Open, &points[3..], &points[..3], WendlandC2, 1.0);
+    assert_eq!(between.len(), 2);
+    assert_eq!(near(&between, 1), [(0, -1.0), (1, 0.0), (2, 0.5)]);
+}

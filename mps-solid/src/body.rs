@@ -1,0 +1,162 @@
+//! Bodies made of particles on a lattice.
+
+use crate::{SolidError, SolidParticles};
+use mps_kernel::{Real, Vector};
+
+/// Particles and the distance between them along each axis.
+#[derive(Clone, Debug)]
+pub struct Body<T: Real, const D: usize> {
+    /// The particles, at rest in the undeformed state.
+    pub particles: SolidParticles<T, D>,
+    /// Particle distance along each axis \[m\].
+    pub spacing: Vector<T, D>,
+}
+
+/// One of the `2 D` faces of a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Face {
+    /// Axis the face is normal to.
+    pub axis: usize,
+    /// Whether it is the face at the upper end of the axis.
+    pub upper: bool,
+}
+
+impl Face {
+    /// The face at the lower end of `axis`.
+    pub const fn lower(axis: usize) -> Self {
+        Self { axis, upper: false }
+    }
+
+    /// The face at the upper end of `axis`.
+    pub const fn upper(axis: usize) -> Self {
+        Self { axis, upper: true }
+    }
+}
+
+/// Fills the box from `lower` to `upper` \[m\] with `counts` particles along each axis.
+///
+/// Along a free axis the particles sit in the middle of their cells: `length / count` apart, half of it
+/// from both faces. On a face in `clamp` the first row sits exactly **on** the face, never moves and has
+/// half a cell's volume; the other rows follow at full spacing. No neighbourhood then reaches through
+/// the clamp plane, which is what spoils the curvature at the root of a beam when clamped layers are put
+/// behind it (measured at 10 particles across: 3.5 % in the period instead of 0.4 %). A row on the face
+/// counts half towards the length, so the spacing is `length / (count - 1/2)` with one clamped end and
+/// `length / (count - 1)` with two. The volumes always add up to that of the box.
+///
+/// The axis with the fewest particles runs fastest, so that neighbours are near in memory.
+///
+/// # Errors
+/// If an edge is not longer than zero or has fewer than 2 particles.
+pub fn block<T: Real, const D: usize>(
+    lower: Vector<T, D>,
+    upper: Vector<T, D>,
+    counts: [usize; D],
+    clamp: &[Face],
+) -> Result<Body<T, D>, SolidError> {
+    let half = T::of(0.5);
+    let is_clamped = |axis, upper| clamp.contains(&Face { axis, upper });
+    let mut spacing = Vector::zeros();
+    let mut cell = T::one();
+    for axis in 0..D {
+        let length = upper[axis] - lower[axis];
+        let count = counts[axis];
+        if !(length.is_finite() && length > T::zero() && count >= 2) {
+            return Err(SolidError::Block { axis, count, length: length.to_double() });
+        }
+        spacing[axis] = length / T::of(cells(count, axis, clamp));
+        cell *= spacing[axis];
+    }
+    let mut fastest_first: Vec<usize> = (0..D).collect();
+    fastest_first.sort_by_key(|&axis| counts[axis]);
+
+    let mut particles = SolidParticles::new();
+    for index in 0..counts.iter().product() {
+        let mut rest = index;
+        let mut place = lower;
+        let mut volume = cell;
+        let mut on_clamp = false;
+        for &axis in &fastest_first {
+            let k = rest % counts[axis];
+            rest /= counts[axis];
+            let at_clamp =
+                (k == 0 && is_clamped(axis, false)) || (k + 1 == counts[axis] && is_clamped(axis, true));
+            let offset = if is_clamped(axis, false) { T::zero() } else { half };
+            place[axis] += spacing[axis] * (T::of(k as f64) + offset);
+            if at_clamp {
+                volume *= half;
+                on_clamp = true;
+            }
+        }
+        particles.push(place, volume, on_clamp);
+    }
+    Ok(Body { particles, spacing })
+}
+
+/// The numbers of particles that bring the spacing of every axis closest to `spacing` \[m\], for
+/// [`block`] (at least 2).
+pub fn counts<T: Real, const D: usize>(
+    lower: &Vector<T, D>,
+    upper: &Vector<T, D>,
+    spacing: T,
+    clamp: &[Face],
+) -> [usize; D] {
+    core::array::from_fn(|axis| {
+        let cells = (upper[axis] - lower[axis]).to_double() / spacing.to_double();
+        let on_faces = clamp.iter().filter(|face| face.axis == axis).count() as f64;
+        // A float that is negative or NaN becomes 0 here.
+        ((cells + 0.5 * on_faces).round() as usize).max(2)
+    })
+}
+
+/// How many spacings `count` particles fill: a row on a clamped face fills half of one.
+fn cells(count: usize, axis: usize, clamp: &[Face]) -> f64 {
+    let on_face = |upper| if clamp.contains(&Face { axis, upper }) { 0.5 } else { 0.0 };
+    count as f64 - on_face(false) - on_face(true)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use mps_kernel::ParticleStore;
+
+    #[test]
+    fn clamped_row_lies_on_the_face_with_half_the_volume() {
+        let upper = Vector::<f64, 2>::new(2.0, 0.5);
+        let clamp = [Face::lower(0)];
+        let counts = counts(&Vector::zeros(), &upper, 0.125, &clamp);
+        assert_eq!(counts, [17, 4]);
+        let body = block(Vector::zeros(), upper, counts, &clamp).unwrap();
+        let particles = &body.particles;
+        assert_eq!(particles.len(), 68);
+        for i in 0..68 {
+            let on_face = particles.reference[i].x == 0.0;
+            assert_eq!(on_face, particles.is_clamped(i));
+            let cells = if on_face { 0.5 } else { 1.0 };
+            assert_relative_eq!(particles.volume[i], cells * body.spacing.x * body.spacing.y);
+        }
+        assert_relative_eq!(particles.volume.iter().sum::<f64>(), 1.0, max_relative = 1e-14);
+        let end = particles.reference.iter().map(|x| x.x).fold(0.0, f64::max);
+        assert_relative_eq!(end, 2.0 - body.spacing.x / 2.0, max_relative = 1e-14);
+    }
+
+    #[test]
+    fn both_ends_may_be_clamped_and_corners_get_a_quarter() {
+        let clamp = [Face::lower(0), Face::upper(0), Face::upper(1)];
+        let body = block(Vector::<f64, 2>::zeros(), Vector::repeat(1.0), [5, 3], &clamp).unwrap();
+        assert_relative_eq!(body.particles.volume.iter().sum::<f64>(), 1.0, max_relative = 1e-14);
+        let x: Vec<_> = body.particles.reference.iter().map(|x| x.x).collect();
+        assert_relative_eq!(x.iter().copied().fold(0.0, f64::max), 1.0, max_relative = 1e-14);
+    }
+
+    #[test]
+    fn thin_and_empty_blocks_are_refused() {
+        let corner = Vector::<f64, 2>::new(1.0, 1.0);
+        assert!(matches!(
+            block(Vector::zeros(), corner, [5, 1], &[]),
+            Err(SolidError::Block { axis: 1, count: 1, .. })
+        ));
+        assert!(block(corner, corner, [5, 5], &[]).is_err());
+        assert!(block(Vector::zeros(), Vector::<f64, 2>::new(f64::NAN, 1.0), [5, 5], &[]).is_err());
+    }
+}

@@ -1,0 +1,89 @@
+//! What can go wrong with a solid, and what to do about it.
+
+use mps_neighbors::FrozenError;
+use thiserror::Error;
+
+/// Why a solid could not be built or moved.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum SolidError {
+    /// A parameter is out of range.
+    #[error("{name} must be {must}, got {value}")]
+    Parameter {
+        /// Which one.
+        name: &'static str,
+        /// What it must be.
+        must: &'static str,
+        /// What it was.
+        value: f64,
+    },
+    /// The body has no particles.
+    #[error("the solid has no particles: add some before building it")]
+    Empty,
+    /// A block was asked for with an edge that cannot carry a lattice.
+    #[error(
+        "a block needs a positive length and at least 2 particles along every axis, got {count} particles over {length} m along axis {axis}: a solid one particle thick has no bending stiffness"
+    )]
+    Block {
+        /// The axis.
+        axis: usize,
+        /// Particles along it.
+        count: usize,
+        /// Length along it \[m\].
+        length: f64,
+    },
+    /// A particle has no volume.
+    #[error("particle {id} has volume {volume}: it must be positive and finite")]
+    Volume {
+        /// Identity of the particle.
+        id: u32,
+        /// Its volume \[m^D\].
+        volume: f64,
+    },
+    /// The reference pairs could not be found.
+    #[error("reference neighbours: {0}")]
+    Reference(#[from] FrozenError),
+    /// A particle's reference neighbours do not span the space.
+    #[error(
+        "the {neighbors} reference neighbours of particle {id} at {position:?} lie on a line or plane: the deformation is undefined there; make the body at least 2 particles thick, or check the spacing against the particle distance"
+    )]
+    Collinear {
+        /// Identity of the particle.
+        id: u32,
+        /// Reference position \[m\].
+        position: Vec<f64>,
+        /// Number of neighbours it has.
+        neighbors: usize,
+    },
+    /// A slice given to the solid does not fit its number of particles.
+    #[error("{name} has {got} entries, but the solid has {particles} particles")]
+    Length {
+        /// What was given.
+        name: &'static str,
+        /// Its length.
+        got: usize,
+        /// Number of particles.
+        particles: usize,
+    },
+    /// A particle was turned inside out.
+    #[error(
+        "particle {id} at {position:?} is turned inside out (det F = {determinant}): halve the sub-step (SolidConfig::cfl); if that does not help the load is too large for this resolution or the material too soft under compression (try NeoHookean)"
+    )]
+    Inverted {
+        /// Identity of the particle.
+        id: u32,
+        /// Where it is \[m\].
+        position: Vec<f64>,
+        /// Determinant of its deformation gradient.
+        determinant: f64,
+    },
+    /// A position became NaN or infinite.
+    #[error(
+        "the surroundings of particle {id} at {position:?} are not finite: check the external force and gravity, then halve the sub-step (SolidConfig::cfl)"
+    )]
+    NotFinite {
+        /// Identity of the particle.
+        id: u32,
+        /// Where it is \[m\].
+        position: Vec<f64>,
+    },
+}

@@ -1,0 +1,51 @@
+//! Constitutive models: strain energy and the stress derived from it, one material a file.
+//!
+//! | material | energy per reference volume | use |
+//! |---|---|---|
+//! | [`CorotationalHooke`] | `lambda/2 tr(U-I)^2 + mu abs(U-I)^2` | large rotation, small strain: the law of Tavakoli et al. 2026 |
+//! | [`SaintVenantKirchhoff`] | `lambda/2 tr(E)^2 + mu abs(E)^2` | the same, and the usual choice of benchmarks |
+//! | [`NeoHookean`] | `mu/2 (tr C - D) - mu ln J + lambda/2 ln(J)^2` | large strain; resists compression to a point |
+//!
+//! All three agree to first order with Hooke's law. In 2D they describe plane strain: the third stretch
+//! is 1 and drops out of every formula.
+
+mod corotational;
+mod moduli;
+mod neo_hookean;
+mod saint_venant;
+
+pub use corotational::CorotationalHooke;
+pub use moduli::{MaterialError, Moduli};
+pub use neo_hookean::NeoHookean;
+pub use saint_venant::SaintVenantKirchhoff;
+
+use mps_kernel::{Pod, Real, Tensor};
+
+/// A material: what a deformation costs and which stress it causes.
+///
+/// The stress must be the derivative of the energy, `P = dw/dF`, and both must not notice a rotation:
+/// `w(Q F) = w(F)`, `P(Q F) = Q P(F)`. Conservation of momentum and energy rests on it.
+pub trait ConstitutiveModel<T: Real, const D: usize>: Send + Sync {
+    /// What a particle of this material remembers, `()` for an elastic one (takes no memory).
+    type History: Pod + Default + Send + Sync;
+
+    /// Strain energy `w` per reference volume \[J/m^3\] for the deformation gradient `f`, `det f > 0`.
+    fn energy(&self, f: &Tensor<T, D>, history: &Self::History) -> T;
+
+    /// First Piola-Kirchhoff stress `P = dw/dF` \[Pa\], `det f > 0`; may update the history.
+    fn first_piola(&self, f: &Tensor<T, D>, history: &mut Self::History) -> Tensor<T, D>;
+
+    /// Lame's first modulus `lambda` of the undeformed material \[Pa\].
+    fn first_lame_modulus(&self) -> T;
+
+    /// Shear modulus `mu` of the undeformed material \[Pa\].
+    fn shear_modulus(&self) -> T;
+
+    /// Fastest small-strain wave `c_p = sqrt((lambda + 2 mu)/rho)` \[m/s\] for the density `rho` \[kg/m^3\].
+    fn wave_speed(&self, density: T) -> T {
+        ((self.first_lame_modulus() + self.shear_modulus() * T::of(2.0)) / density).sqrt()
+    }
+
+    /// Name for summaries and plots.
+    fn name(&self) -> &'static str;
+}

@@ -1,0 +1,176 @@
+//! The solid and its step.
+
+use crate::kinematics::{corrections, deformation_gradient};
+use crate::momentum::InnerStress;
+use crate::stabilization::bending_coefficient;
+use crate::{ConstitutiveModel, SolidConfig, SolidError, SolidParticles};
+use mps_kernel::weights::WendlandC2;
+use mps_kernel::{Kernel, ParticleStore, Real, Tensor, Vector};
+use mps_neighbors::{FrozenPairs, Parallel};
+
+/// An elastic body of particles.
+///
+/// `M` is the material, `K` the weight of the reference pairs.
+#[derive(Clone, Debug)]
+pub struct Solid<T, const D: usize, M, K = WendlandC2>
+where
+    T: Real,
+    M: ConstitutiveModel<T, D>,
+{
+    pub(crate) particles: SolidParticles<T, D>,
+    pub(crate) history: Vec<M::History>,
+    pub(crate) material: M,
+    pub(crate) pairs: FrozenPairs<T, D>,
+    pub(crate) correction: Vec<Tensor<T, D>>,
+    pub(crate) kappa: T,
+    pub(crate) kernel: K,
+    pub(crate) config: SolidConfig<T>,
+    pub(crate) spacing: Vector<T, D>,
+    pub(crate) wave_speed: T,
+    pub(crate) stability_limit: T,
+    pub(crate) mean_velocity: Vec<Vector<T, D>>,
+    /// Forces and deformations do not belong to the positions (someone has written to the store).
+    pub(crate) stale: bool,
+    // Working space of a step.
+    pub(crate) inner: Vec<InnerStress<T, D>>,
+    start: Vec<Vector<T, D>>,
+    pub(crate) next: Vec<Vector<T, D>>,
+}
+
+impl<T, const D: usize, M, K> Solid<T, D, M, K>
+where
+    T: Real,
+    M: ConstitutiveModel<T, D>,
+    K: Kernel<T>,
+{
+    /// Builds the body: reference pairs, corrections, masses.
+    ///
+    /// `spacing` is the particle distance along each axis \[m\], `density` the mass per reference volume
+    /// \[kg/m^3\].
+    ///
+    /// # Errors
+    /// If there is no particle, a number is out of range, two particles coincide or the body is thinner
+    /// than two particles somewhere.
+    pub fn new(
+        mut particles: SolidParticles<T, D>,
+        spacing: Vector<T, D>,
+        density: T,
+        material: M,
+        kernel: K,
+        config: SolidConfig<T>,
+        parallel: &Parallel,
+    ) -> Result<Self, SolidError> {
+        config.validate()?;
+        let value = density.to_double();
+        if !(value.is_finite() && value > 0.0) {
+            return Err(SolidError::Parameter { name: "density", must: "positive and finite", value });
+        }
+        let len = particles.len();
+        if len == 0 {
+            return Err(SolidError::Empty);
+        }
+        for i in 0..len {
+            let volume = particles.volume[i];
+            if !(volume.is_finite() && volume > T::zero()) {
+                return Err(SolidError::Volume { id: particles.id[i], volume: volume.to_double() });
+            }
+            particles.mass[i] = volume * density;
+        }
+        let pairs = FrozenPairs::build(&particles.reference, &spacing, &kernel, config.radius_ratio)?;
+        let correction = corrections(&particles, &pairs)?;
+        let kappa = bending_coefficient(&material, &kernel, &spacing, config.radius_ratio)?
+            * config.bending_correction;
+        let no_stress = InnerStress { a: Tensor::zeros(), spring: T::zero() };
+        let mut solid = Self {
+            history: vec![M::History::default(); len],
+            wave_speed: material.wave_speed(density),
+            stability_limit: T::zero(),
+            mean_velocity: vec![Vector::zeros(); len],
+            inner: vec![no_stress; len],
+            start: particles.position.clone(),
+            next: particles.position.clone(),
+            stale: true,
+            particles,
+            material,
+            pairs,
+            correction,
+            kappa,
+            kernel,
+            config,
+            spacing,
+        };
+        solid.stability_limit = solid.measure_stability_limit(parallel)?;
+        solid.refresh(parallel)?;
+        Ok(solid)
+    }
+
+    /// Moves the body by `dt` \[s\] in `substeps` equal sub-steps under the external force on every
+    /// particle \[N\], held constant, and gravity \[m/s^2\].
+    ///
+    /// A sub-step is velocity Verlet: half a kick, drift, forces, half a kick; the two half kicks
+    /// between sub-steps are one. It is symplectic and second order. `dt / substeps` should not exceed
+    /// [`max_step`](Self::max_step); this is not enforced, so that the border can be studied.
+    ///
+    /// # Errors
+    /// If `dt`, `substeps` or the length of `force` is unusable (nothing has moved then), or if a particle
+    /// is turned inside out or stops being finite (the state is then that of the failing sub-step).
+    pub fn advance(
+        &mut self,
+        parallel: &Parallel,
+        force: &[Vector<T, D>],
+        gravity: &Vector<T, D>,
+        dt: T,
+        substeps: usize,
+    ) -> Result<(), SolidError> {
+        self.check_step(force, dt, substeps)?;
+        if self.stale {
+            self.refresh(parallel)?;
+        }
+        let step = dt / T::of(substeps as f64);
+        let half = step * T::of(0.5);
+        self.start.copy_from_slice(&self.particles.position);
+        self.kick_and_drift(parallel, force, gravity, half, step);
+        for _ in 1..substeps {
+            self.stress(parallel)?;
+            self.force_kick_and_drift(parallel, force, gravity, step);
+        }
+        self.stress(parallel)?;
+        self.forces(parallel);
+        self.kick_and_drift(parallel, force, gravity, half, T::zero());
+
+        let (position, start) = (&self.particles.position, &self.start);
+        parallel.update(self.mean_velocity.as_mut_slice(), |i, mean| *mean = (position[i] - start[i]) / dt);
+        Ok(())
+    }
+
+    fn check_step(&self, force: &[Vector<T, D>], dt: T, substeps: usize) -> Result<(), SolidError> {
+        if force.len() != self.len() {
+            return Err(SolidError::Length { name: "force", got: force.len(), particles: self.len() });
+        }
+        if !(dt.is_finite() && dt > T::zero()) {
+            let value = dt.to_double();
+            return Err(SolidError::Parameter { name: "dt", must: "positive and finite", value });
+        }
+        if substeps == 0 {
+            return Err(SolidError::Parameter { name: "substeps", must: "at least 1", value: 0.0 });
+        }
+        Ok(())
+    }
+
+    /// Brings deformations and internal forces up to date with positions that were set from outside.
+    /// [`advance`](Self::advance) does so by itself.
+    ///
+    /// # Errors
+    /// If a particle is turned inside out or not finite.
+    pub fn refresh(&mut self, parallel: &Parallel) -> Result<(), SolidError> {
+        self.stress(parallel)?;
+        self.forces(parallel);
+        self.stale = false;
+        Ok(())
+    }
+
+    /// `F_i` of the current positions, computed anew.
+    pub(crate) fn deformation_of(&self, i: usize) -> Tensor<T, D> {
+        deformation_gradient(self.pairs.row(i), &self.correction[i], i, &self.particles.position)
+    }
+}

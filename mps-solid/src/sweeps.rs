@@ -1,0 +1,110 @@
+//! The loops over all particles that a sub-step is made of. Each writes only to its own particle.
+
+use crate::kinematics::deformation_gradient;
+use crate::momentum::{InnerStress, internal_force};
+use crate::{ConstitutiveModel, Solid, SolidError, SolidParticles};
+use core::sync::atomic::{AtomicUsize, Ordering};
+use mps_kernel::tensor::determinant;
+use mps_kernel::{Kernel, Real, Vector};
+use mps_neighbors::Parallel;
+
+impl<T, const D: usize, M, K> Solid<T, D, M, K>
+where
+    T: Real,
+    M: ConstitutiveModel<T, D>,
+    K: Kernel<T>,
+{
+    /// First sweep: `F_i`, then `A_i`.
+    pub(crate) fn stress(&mut self, parallel: &Parallel) -> Result<(), SolidError> {
+        let nobody = usize::MAX;
+        let first_bad = AtomicUsize::new(nobody);
+        let SolidParticles { position, volume, deformation, .. } = &mut self.particles;
+        let (position, volume) = (&*position, &*volume);
+        let (pairs, correction, kappa, material) =
+            (&self.pairs, &self.correction, self.kappa, &self.material);
+        parallel.update(
+            (deformation.as_mut_slice(), self.inner.as_mut_slice(), self.history.as_mut_slice()),
+            |i, (deformation, inner, history)| {
+                let f = deformation_gradient(pairs.row(i), &correction[i], i, position);
+                *deformation = f;
+                // NaN takes the other branch.
+                if determinant(&f) > T::zero() {
+                    let stress = material.first_piola(&f, history);
+                    *inner = InnerStress::new(&stress, &f, &correction[i], volume[i], kappa);
+                } else {
+                    first_bad.fetch_min(i, Ordering::Relaxed);
+                }
+            },
+        );
+        match first_bad.into_inner() {
+            i if i == nobody => Ok(()),
+            i => Err(self.broken(i)),
+        }
+    }
+
+    fn broken(&mut self, i: usize) -> SolidError {
+        self.stale = true;
+        let (id, determinant) =
+            (self.particles.id[i], determinant(&self.particles.deformation[i]).to_double());
+        let position = self.particles.position[i].iter().map(|x| x.to_double()).collect();
+        if determinant.is_finite() {
+            SolidError::Inverted { id, position, determinant }
+        } else {
+            SolidError::NotFinite { id, position }
+        }
+    }
+
+    /// Second sweep: the internal forces.
+    pub(crate) fn forces(&mut self, parallel: &Parallel) {
+        let SolidParticles { position, force, .. } = &mut self.particles;
+        let (position, pairs, inner) = (&*position, &self.pairs, &self.inner);
+        parallel.update(force.as_mut_slice(), |i, force| {
+            *force = internal_force(pairs.row(i), i, position, inner);
+        });
+    }
+
+    /// `u += kick a`, then `x += drift u`, with the stored internal forces.
+    pub(crate) fn kick_and_drift(
+        &mut self,
+        parallel: &Parallel,
+        external: &[Vector<T, D>],
+        gravity: &Vector<T, D>,
+        kick: T,
+        drift: T,
+    ) {
+        let SolidParticles { position, velocity, force, mass, clamped, .. } = &mut self.particles;
+        let (force, mass, clamped) = (&*force, &*mass, &*clamped);
+        parallel.update((position.as_mut_slice(), velocity.as_mut_slice()), |i, (x, u)| {
+            if clamped[i] == 0 {
+                *u += ((force[i] + external[i]) / mass[i] + gravity) * kick;
+                *x += *u * drift;
+            } else {
+                *u = Vector::zeros();
+            }
+        });
+    }
+
+    /// Second sweep, the kick and the drift of an inner sub-step in one visit. Positions are written to
+    /// a second array, because the neighbours still read the old ones.
+    pub(crate) fn force_kick_and_drift(
+        &mut self,
+        parallel: &Parallel,
+        external: &[Vector<T, D>],
+        gravity: &Vector<T, D>,
+        step: T,
+    ) {
+        let SolidParticles { position, velocity, mass, clamped, .. } = &mut self.particles;
+        let (mass, clamped, pairs, inner) = (&*mass, &*clamped, &self.pairs, &self.inner);
+        let here = &*position;
+        parallel.update((velocity.as_mut_slice(), self.next.as_mut_slice()), |i, (u, next)| {
+            if clamped[i] == 0 {
+                let force = internal_force(pairs.row(i), i, here, inner);
+                *u += ((force + external[i]) / mass[i] + gravity) * step;
+                *next = here[i] + *u * step;
+            } else {
+                *next = here[i];
+            }
+        });
+        core::mem::swap(position, &mut self.next);
+    }
+}
