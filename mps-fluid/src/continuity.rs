@@ -1,11 +1,13 @@
 //! The second sweep of a step: the rate of the number density.
 
-use crate::Fluid;
 use crate::fluid::Flow;
-use crate::terms::Viscosity;
+use crate::gather::Gather;
+use crate::terms::{Viscosity, WallPair};
+use crate::{Boundary, Fluid};
+use fearless_simd::Simd;
 use mps_kernel::operators::{DiffusionFilter, Divergence};
-use mps_kernel::{Kernel, Neighborhood, Real};
-use mps_neighbors::{Domain, Parallel};
+use mps_kernel::{Kernel, Lanes, Neighborhood, Real};
+use mps_neighbors::{Domain, Parallel, RowView, Sweep};
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
     /// `Dn/Dt = n (-div u + Dm)` (eqs. 18-20, 23) with the velocities of the end of the step.
@@ -19,40 +21,20 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
     fn sweep_density_with<const DIFFUSION: bool>(&mut self, parallel: &Parallel, dt: T) {
         let mut rate = core::mem::take(&mut self.rates.density_rate);
-        let neighbors = self.view(&self.search.fluid);
-        let walls = self.boundary_view();
-        let wall = self.wall_pair();
-        let boundary = &self.boundary;
-        let (p, flow) = (&self.particles.pressure, &self.rates.flow);
         let factor = self.reference.gradient_factor::<D>();
         let c = self.config.sound_speed;
-        // Dm = delta dt c^2 / n0 <laplace n>, and <laplace n> carries 2 D/n0 (eqs. 19, 20).
-        let diffusion = self.config.diffusion * dt * c * c * T::of(2.0) * factor;
-        let mirror = T::of(MIRROR);
-        let has_walls = !boundary.is_empty();
-
-        parallel.update(rate.as_mut_slice(), |i, rate| {
-            let Flow { velocity: ui, gradient: gi, density: ni } = flow[i];
-            let mut inflow = T::zero();
-            let mut filtered = T::zero();
-            neighbors.for_each(i, |pair| {
-                let other = &flow[pair.j];
-                // n_i times eq. 23: the n_i cancels.
-                inflow -= other.density * Divergence::pair(&ui, &other.velocity, pair);
-                if DIFFUSION {
-                    filtered += DiffusionFilter::pair(ni, &gi, other.density, &other.gradient, pair);
-                }
-            });
-            if has_walls {
-                walls.for_each(i, |pair| {
-                    let a = pair.j;
-                    let (_, na) = wall.state(p[i], ni, &boundary.acceleration[a], &pair.r_ij);
-                    inflow -=
-                        na * boundary.volume[a] * mirror * Divergence::pair(&ui, &boundary.velocity[a], pair);
-                });
-            }
-            *rate = inflow * factor + ni * diffusion * filtered;
-        });
+        let sweep = Continuity::<_, D, _, _, DIFFUSION> {
+            neighbors: self.view(&self.search.fluid),
+            walls: self.boundary_view(),
+            flow: &self.rates.flow,
+            pressure: &self.particles.pressure,
+            boundary: &self.boundary,
+            wall: self.wall_pair(),
+            factor,
+            // Dm = delta dt c^2 / n0 <laplace n>, and <laplace n> carries 2 D/n0 (eqs. 19, 20).
+            diffusion: self.config.diffusion * dt * c * c * T::of(2.0) * factor,
+        };
+        parallel.sweep(rate.as_mut_slice(), &sweep);
         self.rates.density_rate = rate;
     }
 }
@@ -63,3 +45,67 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 /// pressure of the fluid particle, its power `2 V p_i (u_a - u_i) . g_ia` is exactly the energy of
 /// compression that the particle gains by this divergence and the structure gives by its motion.
 const MIRROR: f64 = 2.0;
+
+/// What [`Fluid::sweep_density`] does to one particle.
+struct Continuity<'a, T: Real, const D: usize, K, P, const DIFFUSION: bool> {
+    neighbors: RowView<'a, T, D, K, P>,
+    walls: RowView<'a, T, D, K, P>,
+    flow: &'a [Flow<T, D>],
+    pressure: &'a [T],
+    boundary: &'a Boundary<T, D>,
+    wall: WallPair<T, D>,
+    /// `D/n0`.
+    factor: T,
+    /// What the diffusion filter is multiplied with \[m^2/s\].
+    diffusion: T,
+}
+
+impl<T: Real, const D: usize, K, P, const DIFFUSION: bool> Continuity<'_, T, D, K, P, DIFFUSION>
+where
+    K: Kernel<T>,
+    P: Domain<T, D>,
+{
+    #[inline(always)]
+    fn through_walls(&self, i: usize, own: &Flow<T, D>) -> T {
+        let mut inflow = T::zero();
+        self.walls.for_each(i, |pair| {
+            let a = pair.j;
+            let (_, na) =
+                self.wall.state(self.pressure[i], own.density, &self.boundary.acceleration[a], &pair.r_ij);
+            let opening = Divergence::pair(&own.velocity, &self.boundary.velocity[a], pair);
+            inflow -= na * self.boundary.volume[a] * T::of(MIRROR) * opening;
+        });
+        inflow
+    }
+}
+
+impl<'b, T: Real, const D: usize, K, P, const DIFFUSION: bool> Sweep<&'b mut [T]>
+    for Continuity<'_, T, D, K, P, DIFFUSION>
+where
+    K: Kernel<T>,
+    P: Domain<T, D>,
+{
+    #[inline(always)]
+    fn visit<S: Simd>(&self, simd: S, i: usize, rate: &'b mut T) {
+        let flow = self.flow;
+        let own = flow[i];
+        let zero = T::Lanes::splat(simd, T::zero());
+        let (mut inflow, mut filtered) = (zero, zero);
+        for pair in self.neighbors.packs(simd, i) {
+            let other = Gather { simd, j: pair.j.as_ref(), from: flow };
+            let density = other.scalar(|flow| flow.density);
+            // n_i times eq. 23: the n_i cancels.
+            let opening = Divergence::pair(&own.velocity, &other.vector(|flow| &flow.velocity), &pair);
+            inflow -= density * opening;
+            if DIFFUSION {
+                let gradient = other.vector(|flow| &flow.gradient);
+                filtered += DiffusionFilter::pair(own.density, &own.gradient, density, &gradient, &pair);
+            }
+        }
+        let mut inflow = inflow.sum();
+        if !self.boundary.is_empty() {
+            inflow += self.through_walls(i, &own);
+        }
+        *rate = inflow * self.factor + own.density * self.diffusion * filtered.sum();
+    }
+}

@@ -12,6 +12,7 @@ mod eos;
 mod error;
 mod exchange;
 mod fluid;
+mod gather;
 mod momentum;
 mod packing;
 mod particles;

@@ -1,10 +1,15 @@
 //! The first sweep of a step: accelerations, the gradient of n and the measures of packing.
 
-use crate::Fluid;
-use crate::terms::Viscosity;
+use crate::fluid::{Flow, State};
+use crate::gather::Gather;
+use crate::terms::{Viscosity, WallPair};
+use crate::{Boundary, Fluid};
+use fearless_simd::Simd;
 use mps_kernel::operators::{ConservativeGradient, Corrected, Gradient, MomentMatrix, invert_moment};
-use mps_kernel::{Kernel, Neighborhood, Real, Tensor, Vector};
-use mps_neighbors::{Domain, Parallel};
+use mps_kernel::small::{accumulate, accumulate_tensor, columns, components, scale, tensor, vector};
+use mps_kernel::{Kernel, Lanes, Neighborhood, Real, Tensor, Vector};
+use mps_kernel::{by_axes, by_axis};
+use mps_neighbors::{Domain, Parallel, RowView, Sweep};
 
 /// Below this measure of the moment matrix the neighbourhood counts as collinear
 /// ([`invert_moment`]); its gradient of n then stays uncorrected.
@@ -25,57 +30,19 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     fn sweep_momentum_with<const DIFFUSION: bool>(&mut self, parallel: &Parallel) {
         let mut acceleration = core::mem::take(&mut self.rates.acceleration);
         let mut flow = core::mem::take(&mut self.rates.flow);
-        let neighbors = self.view(&self.search.fluid);
-        let walls = self.boundary_view();
-        let wall = self.wall_pair();
-        let (boundary, viscosity) = (&self.boundary, self.viscosity);
-        let state = &self.rates.state;
         let factor = self.reference.gradient_factor::<D>();
-        let pressure_factor = -factor / self.config.density;
-        let gravity = self.config.gravity;
-        let has_walls = !boundary.is_empty();
-
-        parallel.update((acceleration.as_mut_slice(), flow.as_mut_slice()), |i, (acceleration, flow)| {
-            let own = state[i];
-            let (pi, ni, inverse_ni, ui) = (own.pressure, own.density, own.inverse_density, own.velocity);
-            let mut total = Vector::<T, D>::zeros();
-            let mut slope = Vector::<T, D>::zeros();
-            let mut moment = Tensor::<T, D>::zeros();
-            neighbors.for_each(i, |pair| {
-                let other = &state[pair.j];
-                let pij = ConservativeGradient::pair_pressure(
-                    pi,
-                    ni,
-                    inverse_ni,
-                    other.pressure,
-                    other.density,
-                    other.inverse_density,
-                );
-                total += pair.gradient_vector() * (pij * pressure_factor);
-                total += viscosity.pair(pair, &ui, &other.velocity);
-                if DIFFUSION {
-                    slope += Gradient::pair(ni, other.density, pair);
-                    moment += MomentMatrix::pair(pair);
-                }
-            });
-            if has_walls {
-                walls.for_each(i, |pair| {
-                    let a = pair.j;
-                    total += wall.pressure_sum(&own, boundary, pair) * pressure_factor;
-                    if boundary.shear[a] > T::zero() {
-                        let share = boundary.shear[a] * boundary.volume[a];
-                        total += viscosity.pair(pair, &ui, &boundary.velocity[a]) * share;
-                    }
-                });
-            }
-            *acceleration = total + gravity;
-            flow.density = ni;
-            if DIFFUSION {
-                let corrected: Corrected<T, D> = invert_moment(&(moment * factor), T::of(DEGENERATE));
-                // Uncorrected, the gradient of a poor neighbourhood would turn diffusion into growth.
-                flow.gradient = corrected.corrected_or_zero(&(slope * factor));
-            }
-        });
+        let sweep = Momentum::<_, D, _, _, _, DIFFUSION> {
+            neighbors: self.view(&self.search.fluid),
+            walls: self.boundary_view(),
+            state: &self.rates.state,
+            boundary: &self.boundary,
+            wall: self.wall_pair(),
+            viscosity: self.viscosity,
+            gravity: self.config.gravity,
+            factor,
+            pressure_factor: -factor / self.config.density,
+        };
+        parallel.sweep((acceleration.as_mut_slice(), flow.as_mut_slice()), &sweep);
         self.rates.acceleration = acceleration;
         self.rates.flow = flow;
     }
@@ -147,5 +114,93 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             &|a, b| a + b,
         );
         sum * self.config.particle_mass()
+    }
+}
+
+/// What [`Fluid::sweep_momentum`] does to one particle.
+struct Momentum<'a, T: Real, const D: usize, K, V, P, const DIFFUSION: bool> {
+    neighbors: RowView<'a, T, D, K, P>,
+    walls: RowView<'a, T, D, K, P>,
+    state: &'a [State<T, D>],
+    boundary: &'a Boundary<T, D>,
+    wall: WallPair<T, D>,
+    viscosity: V,
+    gravity: Vector<T, D>,
+    /// `D/n0`.
+    factor: T,
+    /// `-(D/n0)/rho0` \[m^3/kg\].
+    pressure_factor: T,
+}
+
+impl<T: Real, const D: usize, K, V, P, const DIFFUSION: bool> Momentum<'_, T, D, K, V, P, DIFFUSION>
+where
+    K: Kernel<T>,
+    V: Viscosity<T, D>,
+    P: Domain<T, D>,
+{
+    #[inline(always)]
+    fn add_walls(&self, i: usize, own: &State<T, D>, total: &mut Vector<T, D>) {
+        self.walls.for_each(i, |pair| {
+            let a = pair.j;
+            *total += self.wall.pressure_sum(own, self.boundary, pair) * self.pressure_factor;
+            let shear = self.boundary.shear[a];
+            if shear > T::zero() {
+                let share = shear * self.boundary.volume[a];
+                *total += self.viscosity.pair(pair, &own.velocity, &self.boundary.velocity[a]) * share;
+            }
+        });
+    }
+}
+
+impl<'b, T: Real, const D: usize, K, V, P, const DIFFUSION: bool>
+    Sweep<(&'b mut [Vector<T, D>], &'b mut [Flow<T, D>])> for Momentum<'_, T, D, K, V, P, DIFFUSION>
+where
+    K: Kernel<T>,
+    V: Viscosity<T, D>,
+    P: Domain<T, D>,
+{
+    #[inline(always)]
+    fn visit<S: Simd>(
+        &self,
+        simd: S,
+        i: usize,
+        (acceleration, flow): (&'b mut Vector<T, D>, &'b mut Flow<T, D>),
+    ) {
+        let state = self.state;
+        let own = state[i];
+        let zero = T::Lanes::splat(simd, T::zero());
+        let (mut total, mut slope) = (vector([zero; D]), vector([zero; D]));
+        let mut moment = tensor([[zero; D]; D]);
+        for pair in self.neighbors.packs(simd, i) {
+            let other = Gather { simd, j: pair.j.as_ref(), from: state };
+            let pij = ConservativeGradient::pair_pressure(
+                own.pressure,
+                own.density,
+                own.inverse_density,
+                other.scalar(|state| state.pressure),
+                other.scalar(|state| state.density),
+                other.scalar(|state| state.inverse_density),
+            );
+            accumulate(&mut total, &scale(&pair.gradient_vector(), pij * self.pressure_factor));
+            self.viscosity.add(&mut total, &pair, &own.velocity, &other.vector(|state| &state.velocity));
+            if DIFFUSION {
+                let density = other.scalar(|state| state.density);
+                accumulate(&mut slope, &Gradient::pair(own.density, density, &pair));
+                accumulate_tensor(&mut moment, &MomentMatrix::<T>::pair(&pair));
+            }
+        }
+        let mut total: Vector<T, D> = by_axis!(axis => components(&total)[axis].sum());
+        if !self.boundary.is_empty() {
+            self.add_walls(i, &own, &mut total);
+        }
+        *acceleration = total + self.gravity;
+        flow.density = own.density;
+        if DIFFUSION {
+            let moment: Tensor<T, D> = by_axes!((row, column) => columns(&moment)[column][row].sum());
+            let slope: Vector<T, D> = by_axis!(axis => components(&slope)[axis].sum());
+            let corrected: Corrected<T, D> = invert_moment(&(moment * self.factor), T::of(DEGENERATE));
+            // Uncorrected, the gradient of a poor neighbourhood would turn diffusion into growth.
+            flow.gradient = corrected.corrected_or_zero(&(slope * self.factor));
+        }
     }
 }

@@ -2,8 +2,10 @@
 
 use crate::terms::Viscosity;
 use crate::{Fluid, FluidError};
-use mps_kernel::{Kernel, Neighborhood, Real, Vector};
-use mps_neighbors::{Domain, Parallel};
+use fearless_simd::Simd;
+use mps_kernel::small::{accumulate, components, vector};
+use mps_kernel::{Kernel, Lanes, Neighborhood, Real, Vector, by_axis};
+use mps_neighbors::{Domain, Parallel, RowView, Sweep};
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
     /// Measures the packing at the present positions: `sum W_ij / n0`, and its asymmetry
@@ -21,29 +23,55 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         }
         let mut packing = core::mem::take(&mut self.rates.packing);
         let mut asymmetry = core::mem::take(&mut self.rates.asymmetry);
-        let neighbors = self.view(&self.search.fluid);
-        let walls = self.boundary_view();
-        let factor = self.reference.gradient_factor::<D>();
-        let inverse_n0 = T::one() / self.reference.n0;
-        let volume = &self.boundary.volume;
-        parallel.update((packing.as_mut_slice(), asymmetry.as_mut_slice()), |i, (packing, asymmetry)| {
-            let mut weights = T::zero();
-            let mut lean = Vector::<T, D>::zeros();
-            neighbors.for_each(i, |pair| {
-                weights += pair.weight;
-                lean += pair.gradient_vector();
-            });
-            if !volume.is_empty() {
-                walls.for_each(i, |pair| {
-                    weights += pair.weight * volume[pair.j];
-                    lean += pair.gradient_vector() * volume[pair.j];
-                });
-            }
-            *packing = weights * inverse_n0;
-            *asymmetry = lean * factor;
-        });
+        let sweep = Packing {
+            neighbors: self.view(&self.search.fluid),
+            walls: self.boundary_view(),
+            volume: &self.boundary.volume,
+            inverse_n0: T::one() / self.reference.n0,
+            factor: self.reference.gradient_factor::<D>(),
+        };
+        parallel.sweep((packing.as_mut_slice(), asymmetry.as_mut_slice()), &sweep);
         self.rates.packing = packing;
         self.rates.asymmetry = asymmetry;
         Ok(())
+    }
+}
+
+/// What [`Fluid::measure_packing`] does to one particle.
+struct Packing<'a, T: Real, const D: usize, K, P> {
+    neighbors: RowView<'a, T, D, K, P>,
+    walls: RowView<'a, T, D, K, P>,
+    /// Volumes of the boundary points over that of a particle \[-\].
+    volume: &'a [T],
+    inverse_n0: T,
+    /// `D/n0`.
+    factor: T,
+}
+
+impl<'b, T: Real, const D: usize, K, P> Sweep<(&'b mut [T], &'b mut [Vector<T, D>])>
+    for Packing<'_, T, D, K, P>
+where
+    K: Kernel<T>,
+    P: Domain<T, D>,
+{
+    #[inline(always)]
+    fn visit<S: Simd>(&self, simd: S, i: usize, (packing, asymmetry): (&'b mut T, &'b mut Vector<T, D>)) {
+        let zero = T::Lanes::splat(simd, T::zero());
+        let (mut weights, mut lean) = (zero, vector([zero; D]));
+        for pair in self.neighbors.packs(simd, i) {
+            weights += pair.weight;
+            accumulate(&mut lean, &pair.gradient_vector());
+        }
+        let mut weights = weights.sum();
+        let mut lean: Vector<T, D> = by_axis!(axis => components(&lean)[axis].sum());
+        if !self.volume.is_empty() {
+            self.walls.for_each(i, |pair| {
+                let volume = self.volume[pair.j];
+                weights += pair.weight * volume;
+                lean += pair.gradient_vector() * volume;
+            });
+        }
+        *packing = weights * self.inverse_n0;
+        *asymmetry = lean * self.factor;
     }
 }

@@ -1,4 +1,4 @@
-//! The same bits for any number of threads.
+//! The same bits for any number of threads and any vector instructions.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
 mod common;
@@ -8,8 +8,7 @@ use mps_fluid::{ArtificialViscosity, Shifting};
 use mps_neighbors::{Parallel, state_hash};
 
 /// Hashes after every tenth of 30 steps of a dam break of 12,600 particles with all options on.
-fn hashes(threads: usize) -> Vec<u64> {
-    let parallel = Parallel::new(threads).unwrap();
+fn hashes(parallel: &Parallel) -> Vec<u64> {
     let mut config = water::<f64, 2>(0.01, 1.05);
     config.shifting = Some(Shifting { strength: 2.0, iterations: 2 });
     let c = config.sound_speed;
@@ -21,7 +20,7 @@ fn hashes(threads: usize) -> Vec<u64> {
     let found = (0..3)
         .map(|_| {
             for _ in 0..10 {
-                fluid.step(&parallel).unwrap();
+                fluid.step(parallel).unwrap();
             }
             state_hash(fluid.particles_mut())
         })
@@ -31,10 +30,11 @@ fn hashes(threads: usize) -> Vec<u64> {
 }
 
 #[test]
-fn a_dam_break_has_the_same_bits_for_any_number_of_threads() {
-    let expected = hashes(1);
+fn a_dam_break_has_the_same_bits_for_any_threads_and_instructions() {
+    let expected = hashes(&Parallel::serial());
     assert!(expected.windows(2).all(|w| w[0] != w[1]), "the hash sees the motion");
     for threads in [2, 3, 8] {
-        assert_eq!(hashes(threads), expected, "{threads} threads");
+        assert_eq!(hashes(&Parallel::new(threads).unwrap()), expected, "{threads} threads");
     }
+    assert_eq!(hashes(&Parallel::new(2).unwrap().portable()), expected, "without vector instructions");
 }

@@ -5,6 +5,7 @@
 //! `mps-neighbors`, the physics in `mps-fluid` and `mps-solid`.
 //!
 //! - [`Real`], [`Vector`], [`Tensor`]: the scalar (`f32` or `f64`) and the `D`-dimensional values.
+//! - [`Number`], [`Lanes`]: what pair formulas are written for, one scalar or several side by side.
 //! - [`Kernel`]: the weight `W(r, re)`; one file for each formula in [`weights`].
 //! - [`ReferenceDensity`]: `n0` and `lambda0` of the full lattice.
 //! - [`operators`]: gradient, divergence, Laplacian and the corrected matrix, written as what one
@@ -61,16 +62,21 @@
 //! # Ok::<(), mps_kernel::ReferenceDensityError>(())
 //! ```
 
+mod lanes;
 mod neighborhood;
+mod number;
 pub mod operators;
 mod pair;
 mod real;
 mod reference_density;
+pub mod small;
 mod store;
 pub mod tensor;
 pub mod weights;
 
+pub use lanes::{F32Lanes, F64Lanes, Lanes};
 pub use neighborhood::{Neighborhood, PairOperator, apply};
+pub use number::Number;
 pub use pair::Pair;
 pub use real::{Real, Tensor, Vector};
 pub use reference_density::{ReferenceDensity, ReferenceDensityError};

@@ -1,6 +1,8 @@
 //! The scalar type and the small vectors and tensors built from it.
 
+use crate::{F32Lanes, F64Lanes, Lanes, Number};
 use bytemuck::Pod;
+use fearless_simd::Simd;
 use nalgebra::{RealField, SMatrix, SVector};
 use num_traits::{FromPrimitive, ToPrimitive};
 
@@ -13,24 +15,24 @@ pub type Tensor<T, const D: usize> = SMatrix<T, D, D>;
 /// The scalar of a simulation: `f64` (the default everywhere) or `f32`.
 ///
 /// `Pod` (plain old data) lets stores hash and save their fields without a line of code per field.
-pub trait Real: RealField + FromPrimitive + ToPrimitive + Pod + Copy + Default {
+pub trait Real: RealField + FromPrimitive + ToPrimitive + Pod + Copy + Default + Number<Self> {
+    /// Several values side by side, for the instructions `S`.
+    type Lanes<S: Simd>: Lanes<Self, S>;
+
+    /// One neighbour index for each lane.
+    type LaneIndices: Copy + AsRef<[usize]> + AsMut<[usize]> + Default + Send + Sync;
+
     /// The nearest value to a constant written as `f64`.
     fn of(value: f64) -> Self;
 
     /// The value as `f64`, for output and for sums that must not lose digits.
     fn to_double(self) -> f64;
-
-    /// The value, or `floor` where it is not above it (NaN included).
-    ///
-    /// One instruction. `max` has to look for NaN on both sides, which costs the pair loop several
-    /// percent.
-    #[inline(always)]
-    fn at_least(self, floor: Self) -> Self {
-        if self > floor { self } else { floor }
-    }
 }
 
 impl Real for f64 {
+    type Lanes<S: Simd> = F64Lanes<S>;
+    type LaneIndices = [usize; 4];
+
     #[inline(always)]
     fn of(value: f64) -> Self {
         value
@@ -43,6 +45,9 @@ impl Real for f64 {
 }
 
 impl Real for f32 {
+    type Lanes<S: Simd> = F32Lanes<S>;
+    type LaneIndices = [usize; 8];
+
     #[inline(always)]
     fn of(value: f64) -> Self {
         value as f32

@@ -2,7 +2,7 @@
 //!
 //! Pinned by `tests/properties/tensor.rs` and `tests/properties/polar.rs`.
 
-use crate::{Real, Tensor, Vector};
+use crate::{Real, Tensor};
 
 /// Determinant of a 1x1, 2x2 or 3x3 tensor.
 #[inline]
@@ -100,12 +100,6 @@ pub fn polar_rotation<T: Real, const D: usize>(f: &Tensor<T, D>) -> Option<Tenso
 #[inline]
 pub fn green_lagrange<T: Real, const D: usize>(f: &Tensor<T, D>) -> Tensor<T, D> {
     (f.transpose() * f - Tensor::identity()) * T::of(0.5)
-}
-
-/// `a (x) b`, the tensor with components `a_i b_j`.
-#[inline(always)]
-pub fn outer<T: Real, const D: usize>(a: &Vector<T, D>, b: &Vector<T, D>) -> Tensor<T, D> {
-    Tensor::from_fn(|i, j| a[i] * b[j])
 }
 
 /// Largest eigenvalue of a symmetric tensor (first principal strain or stress).

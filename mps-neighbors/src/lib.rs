@@ -13,7 +13,7 @@ mod frozen;
 mod parallel;
 
 pub use frozen::{FrozenError, FrozenPair, FrozenPairs};
-pub use parallel::{Fields, Parallel, ParallelError};
+pub use parallel::{Fields, Parallel, ParallelError, Sweep};
 
 mod brute;
 mod cells;
@@ -37,4 +37,4 @@ pub use periodic::PeriodicBox;
 pub use permutation::Permutation;
 pub use rows::Rows;
 pub use skin::Skin;
-pub use view::RowView;
+pub use view::{Packs, RowView};

@@ -4,6 +4,7 @@
 //! tree, and with it the order of every sum, is a function of the number of particles alone. Each
 //! loop writes only to its own particle ("gather"), so there is no lock and no scatter.
 
+use fearless_simd::{Level, Simd};
 use mps_kernel::Real;
 use thiserror::Error;
 
@@ -26,6 +27,18 @@ const BLOCK: usize = 512;
 pub struct Parallel {
     pool: Option<rayon::ThreadPool>,
     threads: usize,
+    /// What the processor can do.
+    level: Level,
+}
+
+/// What a loop over particles does to one of them, compiled for the vector instructions of the
+/// processor at hand.
+///
+/// Everything [`visit`](Sweep::visit) calls in the loop over pairs must be `#[inline(always)]`: what
+/// is not inlined is compiled for any processor, and slow.
+pub trait Sweep<F: Fields>: Sync {
+    /// Computes the entries `item` of particle `i`.
+    fn visit<S: Simd>(&self, simd: S, i: usize, item: F::Item);
 }
 
 /// Why no threads could be started.
@@ -56,14 +69,14 @@ impl Parallel {
             _ => rayon::ThreadPoolBuilder::new()
                 .num_threads(threads)
                 .build()
-                .map(|pool| Self { pool: Some(pool), threads })
+                .map(|pool| Self { pool: Some(pool), threads, level: Level::new() })
                 .map_err(|e| ParallelError::Refused { threads, reason: e.to_string() }),
         }
     }
 
     /// Everything on the calling thread.
     pub fn serial() -> Self {
-        Self { pool: None, threads: 1 }
+        Self { pool: None, threads: 1, level: Level::new() }
     }
 
     /// As many threads as the machine has cores.
@@ -95,6 +108,24 @@ impl Parallel {
             Some(_) if fields.len() > BLOCK => self.install(|| halve(fields, 0, &each)),
             _ => fields.for_each(0, &each),
         }
+    }
+
+    /// As [`update`](Self::update), with the vector instructions of the processor. The bits are the
+    /// same on any.
+    pub fn sweep<F: Fields>(&self, fields: F, sweep: &impl Sweep<F>) {
+        let level = self.level;
+        let leaf = |fields: F, first: usize| run_at(level, fields, first, sweep);
+        match &self.pool {
+            Some(_) if fields.len() > BLOCK => self.install(|| halve_leaves(BLOCK, fields, 0, &leaf)),
+            _ => leaf(fields, 0),
+        }
+    }
+
+    /// The same threads without the vector instructions that not every processor has: to test that they
+    /// do not change results.
+    #[must_use]
+    pub fn portable(self) -> Self {
+        Self { level: Level::baseline(), ..self }
     }
 
     /// Calls `work(i, item)` once for every item, each of which is a block of particles and worth a
@@ -165,7 +196,7 @@ impl<'a, A: Send> Fields for &'a mut [A] {
         self.split_at_mut(middle)
     }
 
-    #[inline]
+    #[inline(always)]
     fn for_each(self, first: usize, each: &impl Fn(usize, Self::Item)) {
         for (k, item) in self.iter_mut().enumerate() {
             each(first + k, item);
@@ -191,7 +222,7 @@ macro_rules! fields_of_tuple {
                 (($($head,)+), ($($tail,)+))
             }
 
-            #[inline]
+            #[inline(always)]
             #[allow(non_snake_case)]
             fn for_each(self, first: usize, each: &impl Fn(usize, Self::Item)) {
                 let len = self.len();
@@ -232,12 +263,40 @@ fn halve<F: Fields>(fields: F, first: usize, each: &(impl Fn(usize, F::Item) + S
 }
 
 fn halve_to<F: Fields>(block: usize, fields: F, first: usize, each: &(impl Fn(usize, F::Item) + Sync)) {
+    halve_leaves(block, fields, first, &|fields: F, first| fields.for_each(first, each));
+}
+
+fn halve_leaves<F: Fields>(block: usize, fields: F, first: usize, leaf: &(impl Fn(F, usize) + Sync)) {
     if fields.len() <= block {
-        return fields.for_each(first, each);
+        return leaf(fields, first);
     }
     let cut = middle(block, fields.len());
     let (left, right) = fields.cut(cut);
-    rayon::join(|| halve_to(block, left, first, each), || halve_to(block, right, first + cut, each));
+    rayon::join(|| halve_leaves(block, left, first, leaf), || halve_leaves(block, right, first + cut, leaf));
+}
+
+/// The entries of one leaf, with AVX2 where there is one, else with what every processor of its kind has.
+///
+/// Wider registers gain next to nothing here (`docs/performance.md`), and every further set of
+/// instructions is one more copy of every sweep to compile.
+fn run_at<F: Fields>(level: Level, fields: F, first: usize, sweep: &impl Sweep<F>) {
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    {
+        if let Some(avx2) = level.as_avx2() {
+            return avx2.vectorize(|| run(avx2, fields, first, sweep));
+        }
+        if let Some(sse2) = level.as_sse2() {
+            return run(sse2, fields, first, sweep);
+        }
+    }
+    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+    fearless_simd::dispatch!(level, simd => run(simd, fields, first, sweep));
+}
+
+/// Inlined into the function that is compiled for `S`.
+#[inline(always)]
+fn run<S: Simd, F: Fields>(simd: S, fields: F, first: usize, sweep: &impl Sweep<F>) {
+    fields.for_each(first, &|i, item| sweep.visit(simd, i, item));
 }
 
 fn fold_halves<A: Copy + Send + Sync>(

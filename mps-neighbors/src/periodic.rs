@@ -1,7 +1,7 @@
 //! A box that repeats itself along some of its axes.
 
 use crate::{Domain, NeighborError};
-use mps_kernel::{Real, Vector};
+use mps_kernel::{Number, Real, Vector};
 
 /// Periodic along the axes that have a length, open along the others.
 ///
@@ -19,8 +19,6 @@ use mps_kernel::{Real, Vector};
 pub struct PeriodicBox<T: Real, const D: usize> {
     lower: Vector<T, D>,
     length: [Option<T>; D],
-    /// Half the length, infinite along open axes: one comparison decides without asking which.
-    half: Vector<T, D>,
 }
 
 impl<T: Real, const D: usize> PeriodicBox<T, D> {
@@ -39,25 +37,18 @@ impl<T: Real, const D: usize> PeriodicBox<T, D> {
                 }
             }
         }
-        let half = Vector::from_fn(|axis, _| match length[axis] {
-            Some(length) => length * T::of(0.5),
-            None => T::of(f64::INFINITY),
-        });
-        Ok(Self { lower, length, half })
+        Ok(Self { lower, length })
     }
 }
 
 impl<T: Real, const D: usize> Domain<T, D> for PeriodicBox<T, D> {
     #[inline(always)]
-    fn separation(&self, from: &Vector<T, D>, to: &Vector<T, D>) -> Vector<T, D> {
-        let mut d = to - from;
+    fn nearest<N: Number<T>>(&self, mut d: Vector<N, D>) -> Vector<N, D> {
         for axis in 0..D {
-            // Few pairs lie across an edge; `round` goes away from zero at halves, hence is odd.
-            if d[axis].abs() > self.half[axis]
-                && let Some(length) = self.length[axis]
-            {
-                let images = (d[axis] / length).round();
-                d[axis] -= length * images;
+            // Without asking whether the pair lies across an edge: lanes would have to ask one by one.
+            if let Some(length) = self.length[axis] {
+                let images = (d[axis] / length).nearest();
+                d[axis] -= images * length;
             }
         }
         d

@@ -1,7 +1,10 @@
 //! Rows seen as a neighbourhood: the weight is evaluated as a pair is visited.
 
 use crate::{Domain, Open, Rows};
-use mps_kernel::{Kernel, Neighborhood, Pair, Real, Vector};
+use fearless_simd::Simd;
+use mps_kernel::by_axis;
+use mps_kernel::small::components;
+use mps_kernel::{Kernel, Lanes, Neighborhood, Pair, Real, Vector};
 
 /// Rows, positions and a weight, together a [`Neighborhood`].
 ///
@@ -42,5 +45,75 @@ where
             let r_ij = self.domain.separation(&from, &self.targets[j]);
             visit(&Pair::new(j, r_ij, &self.kernel, self.radius));
         }
+    }
+}
+
+/// Several pairs of one particle at a time; see [`RowView::packs`].
+#[derive(Clone, Debug)]
+pub struct Packs<'a, T: Real, const D: usize, K, P, S> {
+    simd: S,
+    /// The neighbours that are left.
+    row: &'a [u32],
+    from: Vector<T, D>,
+    targets: &'a [Vector<T, D>],
+    kernel: K,
+    radius: T,
+    domain: P,
+}
+
+impl<'a, T: Real, const D: usize, K: Kernel<T>, P: Domain<T, D>> RowView<'a, T, D, K, P> {
+    /// The neighbours of `i` in ascending order, as many at a time as a sweep has lanes.
+    ///
+    /// Lanes that are left over at the end of the row repeat its last neighbour with weight zero.
+    #[inline(always)]
+    pub fn packs<S: Simd>(&self, simd: S, i: usize) -> Packs<'a, T, D, K, P, S> {
+        Packs {
+            simd,
+            row: self.rows.row(i),
+            from: self.points[i],
+            targets: self.targets,
+            kernel: self.kernel,
+            radius: self.radius,
+            domain: self.domain,
+        }
+    }
+}
+
+impl<T, const D: usize, K, P, S> Iterator for Packs<'_, T, D, K, P, S>
+where
+    T: Real,
+    K: Kernel<T>,
+    P: Domain<T, D>,
+    S: Simd,
+{
+    type Item = Pair<T::Lanes<S>, D, T::LaneIndices>;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<Self::Item> {
+        let count = T::Lanes::<S>::COUNT;
+        let mut indices = T::LaneIndices::default();
+        let used = if self.row.len() >= count {
+            let (row, rest) = self.row.split_at(count);
+            for (index, &j) in indices.as_mut().iter_mut().zip(row) {
+                *index = j as usize;
+            }
+            self.row = rest;
+            count
+        } else {
+            let &last = self.row.last()?;
+            let used = self.row.len();
+            for (k, index) in indices.as_mut().iter_mut().enumerate() {
+                *index = self.row.get(k).copied().unwrap_or(last) as usize;
+            }
+            self.row = &[];
+            used
+        };
+        let (targets, j) = (self.targets, indices.as_ref());
+        let from = components(&self.from);
+        let d = by_axis!(axis => {
+            T::Lanes::gather(self.simd, |lane| components(&targets[j[lane]])[axis]) - from[axis]
+        });
+        let pair = Pair::new(indices, self.domain.nearest(d), &self.kernel, self.radius);
+        Some(pair.masked(T::Lanes::first(self.simd, used)))
     }
 }

@@ -4,8 +4,9 @@
 mod common;
 
 use common::jittered;
+use fearless_simd::{Level, dispatch};
 use mps_kernel::weights::{Rational, WendlandC2};
-use mps_kernel::{Kernel, Neighborhood, Vector};
+use mps_kernel::{F64Lanes, Kernel, Lanes, Neighborhood, Pair, Vector};
 use mps_neighbors::{BruteForce, Cells, Open, Parallel, PeriodicBox, RowView, Rows};
 
 fn sums<K: Kernel<f64>>(kernel: K) {
@@ -30,8 +31,35 @@ fn sums<K: Kernel<f64>>(kernel: K) {
         });
         brute.for_each(i, |pair| expected.push(*pair));
         assert_eq!(seen, expected);
+        assert_eq!(in_packs(&view, i, radius), expected);
     }
     assert!(in_skin > 0);
+}
+
+/// The pairs of `i` within the radius, taken out of packs again.
+fn in_packs<K: Kernel<f64>>(
+    view: &RowView<'_, f64, 2, K, PeriodicBox<f64, 2>>,
+    i: usize,
+    radius: f64,
+) -> Vec<Pair<f64, 2>> {
+    let mut found = Vec::new();
+    dispatch!(Level::new(), simd => {
+        for pack in view.packs(simd, i) {
+            for (lane, &j) in pack.j.iter().enumerate() {
+                let only = |lanes: F64Lanes<_>| {
+                    (lanes * F64Lanes::gather(simd, |k| f64::from(u8::from(k == lane)))).sum()
+                };
+                let [r2, weight, over_r2] = [pack.r2, pack.weight, pack.over_r2].map(only);
+                let r_ij = Vector::from([pack.r_ij[0], pack.r_ij[1]].map(only));
+                // Lanes behind the end of a row have no weight, as the skin has not.
+                if weight > 0.0 {
+                    found.push(Pair { j, r_ij, r2, weight, over_r2 });
+                }
+            }
+        }
+    });
+    found.retain(|pair| pair.distance() < radius);
+    found
 }
 
 #[test]

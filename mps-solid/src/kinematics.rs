@@ -10,7 +10,8 @@
 //! `sum_j w_ij |r_ij - F r0_ij|^2`; [`momentum`](crate::momentum) rests on that.
 
 use crate::{SolidError, SolidParticles};
-use mps_kernel::tensor::{guarded_inverse, outer};
+use mps_kernel::small::outer;
+use mps_kernel::tensor::guarded_inverse;
 use mps_kernel::{Real, Tensor, Vector};
 use mps_neighbors::{FrozenPair, FrozenPairs};
 

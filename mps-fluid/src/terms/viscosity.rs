@@ -1,13 +1,29 @@
 //! Viscous accelerations: none, laminar, artificial, or several added up.
 
+use mps_kernel::by_axis;
 use mps_kernel::operators::Laplacian;
-use mps_kernel::{Pair, Real, ReferenceDensity, Vector};
+use mps_kernel::small::{accumulate, components, difference, dot, scale};
+use mps_kernel::{Number, Pair, Real, ReferenceDensity, Vector};
 
 /// A viscous pair acceleration. `()` is an inviscid fluid and costs nothing; a tuple adds two.
 pub trait Viscosity<T: Real, const D: usize>: Copy + Send + Sync {
-    /// Acceleration of `i` \[m/s^2\] by neighbour `j`, from their velocities \[m/s\].
-    /// Must be antisymmetric in `i` and `j`, so that momentum is kept.
-    fn pair(&self, pair: &Pair<T, D>, ui: &Vector<T, D>, uj: &Vector<T, D>) -> Vector<T, D>;
+    /// Adds the acceleration of `i` \[m/s^2\] by neighbour `j`, from their velocities \[m/s\].
+    /// Must be antisymmetric in `i` and `j`, so that momentum is kept, and `#[inline(always)]`.
+    fn add<N: Number<T>, J>(
+        &self,
+        sum: &mut Vector<N, D>,
+        pair: &Pair<N, D, J>,
+        ui: &Vector<T, D>,
+        uj: &Vector<N, D>,
+    );
+
+    /// The acceleration of a single pair.
+    #[inline(always)]
+    fn pair(&self, pair: &Pair<T, D>, ui: &Vector<T, D>, uj: &Vector<T, D>) -> Vector<T, D> {
+        let mut sum = Vector::zeros();
+        self.add(&mut sum, pair, ui, uj);
+        sum
+    }
 
     /// Kinematic viscosity \[m^2/s\] that limits the time step.
     fn kinematic(&self) -> T;
@@ -15,8 +31,13 @@ pub trait Viscosity<T: Real, const D: usize>: Copy + Send + Sync {
 
 impl<T: Real, const D: usize> Viscosity<T, D> for () {
     #[inline(always)]
-    fn pair(&self, _pair: &Pair<T, D>, _ui: &Vector<T, D>, _uj: &Vector<T, D>) -> Vector<T, D> {
-        Vector::zeros()
+    fn add<N: Number<T>, J>(
+        &self,
+        _sum: &mut Vector<N, D>,
+        _pair: &Pair<N, D, J>,
+        _ui: &Vector<T, D>,
+        _uj: &Vector<N, D>,
+    ) {
     }
 
     fn kinematic(&self) -> T {
@@ -26,8 +47,15 @@ impl<T: Real, const D: usize> Viscosity<T, D> for () {
 
 impl<T: Real, const D: usize, A: Viscosity<T, D>, B: Viscosity<T, D>> Viscosity<T, D> for (A, B) {
     #[inline(always)]
-    fn pair(&self, pair: &Pair<T, D>, ui: &Vector<T, D>, uj: &Vector<T, D>) -> Vector<T, D> {
-        self.0.pair(pair, ui, uj) + self.1.pair(pair, ui, uj)
+    fn add<N: Number<T>, J>(
+        &self,
+        sum: &mut Vector<N, D>,
+        pair: &Pair<N, D, J>,
+        ui: &Vector<T, D>,
+        uj: &Vector<N, D>,
+    ) {
+        self.0.add(sum, pair, ui, uj);
+        self.1.add(sum, pair, ui, uj);
     }
 
     fn kinematic(&self) -> T {
@@ -51,8 +79,16 @@ impl<T: Real> LaminarViscosity<T> {
 
 impl<T: Real, const D: usize> Viscosity<T, D> for LaminarViscosity<T> {
     #[inline(always)]
-    fn pair(&self, pair: &Pair<T, D>, ui: &Vector<T, D>, uj: &Vector<T, D>) -> Vector<T, D> {
-        Laplacian::pair(ui, uj, pair) * self.factor
+    fn add<N: Number<T>, J>(
+        &self,
+        sum: &mut Vector<N, D>,
+        pair: &Pair<N, D, J>,
+        ui: &Vector<T, D>,
+        uj: &Vector<N, D>,
+    ) {
+        let shear = Laplacian::pair(ui, uj, pair);
+        let shear = components(&shear);
+        accumulate(sum, &by_axis!(axis => shear[axis] * self.factor));
     }
 
     fn kinematic(&self) -> T {
@@ -84,10 +120,16 @@ impl<T: Real> ArtificialViscosity<T> {
 
 impl<T: Real, const D: usize> Viscosity<T, D> for ArtificialViscosity<T> {
     #[inline(always)]
-    fn pair(&self, pair: &Pair<T, D>, ui: &Vector<T, D>, uj: &Vector<T, D>) -> Vector<T, D> {
+    fn add<N: Number<T>, J>(
+        &self,
+        sum: &mut Vector<N, D>,
+        pair: &Pair<N, D, J>,
+        ui: &Vector<T, D>,
+        uj: &Vector<N, D>,
+    ) {
         // The quotient is the one the rational weight forms: the compiler divides once.
-        let approach = (uj - ui).dot(&pair.r_ij) * (T::one() / pair.r2);
-        pair.r_ij * (self.factor * approach * pair.over_r2)
+        let approach = dot(&difference(uj, ui), &pair.r_ij) * pair.r2.dividing(T::one());
+        accumulate(sum, &scale(&pair.r_ij, approach * self.factor * pair.over_r2));
     }
 
     fn kinematic(&self) -> T {

@@ -2,7 +2,9 @@
 //!
 //! Pinned by `tests/properties/diffusion.rs` and, wave by wave, `tests/properties/von_neumann.rs`.
 
-use crate::{Pair, PairOperator, Real, Vector};
+use crate::by_axis;
+use crate::small::{components, dot};
+use crate::{Number, Pair, PairOperator, Real, Vector};
 
 /// `(2 D / n0) sum_j ((n_j - n_i)/|r_ij| - (g_i + g_j)/2 . e_ij) W_ij/|r_ij|` (eq. 20), with the
 /// corrected gradients `g` of eq. 21.
@@ -31,8 +33,19 @@ pub struct DiffusionFilter<T> {
 impl<T: Real> DiffusionFilter<T> {
     /// What neighbour `j` adds, before the factor.
     #[inline(always)]
-    pub fn pair<const D: usize>(ni: T, gi: &Vector<T, D>, nj: T, gj: &Vector<T, D>, pair: &Pair<T, D>) -> T {
-        let slope = (gi + gj).dot(&pair.r_ij) * T::of(0.5);
+    pub fn pair<N, const D: usize, J>(
+        ni: T,
+        gi: &Vector<T, D>,
+        nj: N,
+        gj: &Vector<N, D>,
+        pair: &Pair<N, D, J>,
+    ) -> N
+    where
+        N: Number<T>,
+    {
+        let (own, other) = (components(gi), components(gj));
+        let both = by_axis!(axis => other[axis] + own[axis]);
+        let slope = dot(&both, &pair.r_ij) * T::of(0.5);
         (nj - ni - slope) * pair.over_r2
     }
 }

@@ -3,7 +3,8 @@
 //! Pinned by `tests/properties/polynomials.rs` (exact for quadratic fields on a full lattice) and
 //! `tests/properties/conservation.rs` (adjoint on any particles; the ratio as printed is not).
 
-use crate::{Pair, PairOperator, Real, Vector};
+use crate::small::{difference, dot};
+use crate::{Number, Pair, PairOperator, Real, Vector};
 
 /// Difference form (eq. 15): `(D/n0) sum_j (u_j - u_i) . e_ij/|r_ij| W_ij`.
 #[derive(Clone, Copy, Debug)]
@@ -15,8 +16,11 @@ pub struct Divergence<T> {
 impl<T: Real> Divergence<T> {
     /// What neighbour `j` adds, before the factor.
     #[inline(always)]
-    pub fn pair<const D: usize>(ui: &Vector<T, D>, uj: &Vector<T, D>, pair: &Pair<T, D>) -> T {
-        (uj - ui).dot(&pair.r_ij) * pair.over_r2
+    pub fn pair<N, const D: usize, J>(ui: &Vector<T, D>, uj: &Vector<N, D>, pair: &Pair<N, D, J>) -> N
+    where
+        N: Number<T>,
+    {
+        dot(&difference(uj, ui), &pair.r_ij) * pair.over_r2
     }
 }
 

@@ -5,7 +5,8 @@
 //! lattice) and `tests/properties/conservation.rs` (the sum form keeps momentum pair by pair, to the
 //! last bit; as printed it does not).
 
-use crate::{Pair, PairOperator, Real, Vector};
+use crate::small::scale;
+use crate::{Number, Pair, PairOperator, Real, Vector};
 
 /// Difference form (eq. 14): `(D/n0) sum_j (f_j - f_i) e_ij/|r_ij| W_ij`.
 ///
@@ -20,8 +21,8 @@ pub struct Gradient<T> {
 impl<T: Real> Gradient<T> {
     /// What neighbour `j` adds, before the factor.
     #[inline(always)]
-    pub fn pair<const D: usize>(fi: T, fj: T, pair: &Pair<T, D>) -> Vector<T, D> {
-        pair.r_ij * ((fj - fi) * pair.over_r2)
+    pub fn pair<N: Number<T>, const D: usize, J>(fi: T, fj: N, pair: &Pair<N, D, J>) -> Vector<N, D> {
+        scale(&pair.r_ij, (fj - fi) * pair.over_r2)
     }
 }
 
@@ -59,8 +60,8 @@ impl<T: Real> ConservativeGradient<T> {
     /// The symmetric pressure of a pair, `(n_i/n_j) p_j + (n_j/n_i) p_i`, from both pressures, both
     /// densities and their inverses (which sweeps keep, to avoid two divisions a pair).
     #[inline(always)]
-    pub fn pair_pressure(pi: T, ni: T, inverse_ni: T, pj: T, nj: T, inverse_nj: T) -> T {
-        ni * inverse_nj * pj + nj * inverse_ni * pi
+    pub fn pair_pressure<N: Number<T>>(pi: T, ni: T, inverse_ni: T, pj: N, nj: N, inverse_nj: N) -> N {
+        inverse_nj * ni * pj + nj * inverse_ni * pi
     }
 }
 

@@ -3,7 +3,8 @@
 //! Pinned by `tests/properties/polynomials.rs`: on a full lattice exact for cubic fields, with every
 //! weight, because `lambda0` is summed over the same lattice.
 
-use crate::{Pair, PairOperator, Real, Vector};
+use crate::small::{difference, scale};
+use crate::{Number, Pair, PairOperator, Real, Vector};
 
 /// `(2 D / (n0 lambda0)) sum_j (f_j - f_i) W_ij` (eqs. 16, 25), of a vector field.
 #[derive(Clone, Copy, Debug)]
@@ -15,8 +16,15 @@ pub struct Laplacian<T> {
 impl<T: Real> Laplacian<T> {
     /// What neighbour `j` adds, before the factor.
     #[inline(always)]
-    pub fn pair<const D: usize>(fi: &Vector<T, D>, fj: &Vector<T, D>, pair: &Pair<T, D>) -> Vector<T, D> {
-        (fj - fi) * pair.weight
+    pub fn pair<N, const D: usize, J>(
+        fi: &Vector<T, D>,
+        fj: &Vector<N, D>,
+        pair: &Pair<N, D, J>,
+    ) -> Vector<N, D>
+    where
+        N: Number<T>,
+    {
+        scale(&difference(fj, fi), pair.weight)
     }
 }
 

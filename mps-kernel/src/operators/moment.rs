@@ -3,8 +3,9 @@
 //! Pinned by `tests/properties/gradient.rs` (exactness) and `tests/properties/degenerate.rs` (what is
 //! refused).
 
-use crate::tensor::{guarded_inverse, outer};
-use crate::{Pair, PairOperator, Real, Tensor, Vector};
+use crate::small::{outer, scale};
+use crate::tensor::guarded_inverse;
+use crate::{Number, Pair, PairOperator, Real, Tensor, Vector};
 
 /// `(D/n0) sum_j e_ij (x) e_ij W_ij`, the matrix whose inverse is `C_i` (eq. 22).
 #[derive(Clone, Copy, Debug)]
@@ -16,8 +17,8 @@ pub struct MomentMatrix<T> {
 impl<T: Real> MomentMatrix<T> {
     /// What neighbour `j` adds, before the factor.
     #[inline(always)]
-    pub fn pair<const D: usize>(pair: &Pair<T, D>) -> Tensor<T, D> {
-        outer(&(pair.r_ij * pair.over_r2), &pair.r_ij)
+    pub fn pair<N: Number<T>, const D: usize, J>(pair: &Pair<N, D, J>) -> Tensor<N, D> {
+        outer(&scale(&pair.r_ij, pair.over_r2), &pair.r_ij)
     }
 }
 
@@ -30,7 +31,7 @@ impl<T: Real, const D: usize, F: Copy> PairOperator<T, D, F> for MomentMatrix<T>
 
     #[inline(always)]
     fn add(&self, sum: &mut Self::Output, _fi: &F, _fj: &F, pair: &Pair<T, D>) {
-        *sum += Self::pair(pair);
+        *sum += Self::pair::<T, D, usize>(pair);
     }
 
     fn finish(&self, sum: Self::Output) -> Self::Output {

@@ -1,5 +1,5 @@
 use super::Kernel;
-use crate::Real;
+use crate::{Number, Real};
 
 /// `W = exp(-(3 r/re)^2)`, cut off at `re`, where it has fallen to 1.2e-4.
 ///
@@ -11,12 +11,9 @@ pub struct Gaussian;
 
 impl<T: Real> Kernel<T> for Gaussian {
     #[inline(always)]
-    fn weight(&self, r: T, re: T) -> T {
-        if r >= re {
-            return T::zero();
-        }
+    fn weight<N: Number<T>>(&self, r: N, re: T) -> N {
         let q = r / re;
-        (-T::of(9.0) * q * q).exp()
+        (q * q * -T::of(9.0)).exponential().where_below(r, re)
     }
 
     fn name(&self) -> &'static str {

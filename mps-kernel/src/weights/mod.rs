@@ -20,14 +20,16 @@ pub use rational::Rational;
 pub use spiky::Spiky;
 pub use wendland::WendlandC2;
 
-use crate::Real;
+use crate::{Number, Real};
 
 /// A weight `W(r, re)` with the effective radius `re` as its support.
+///
+/// The formula is written for any [`Number`], so that a sweep can evaluate several pairs at once.
 pub trait Kernel<T: Real>: Copy + Send + Sync {
     /// Weight of a pair at distance `r` \[m\] for the effective radius `re` \[m\].
     ///
     /// Zero for `r >= re`. `r` must be positive; callers bound it by [`closest`].
-    fn weight(&self, r: T, re: T) -> T;
+    fn weight<N: Number<T>>(&self, r: N, re: T) -> N;
 
     /// The weight `W` and `W / r^2` from the squared distance `r2` \[m^2\].
     ///
@@ -36,8 +38,8 @@ pub trait Kernel<T: Real>: Copy + Send + Sync {
     /// Sweeps call this form once per pair; a weight overrides it where its formula saves a
     /// division or a square root.
     #[inline(always)]
-    fn weight_and_over_r2(&self, r2: T, re: T) -> (T, T) {
-        let weight = self.weight(r2.sqrt(), re);
+    fn weight_and_over_r2<N: Number<T>>(&self, r2: N, re: T) -> (N, N) {
+        let weight = self.weight(r2.root(), re);
         (weight, weight / r2)
     }
 

@@ -1,5 +1,5 @@
 use super::Kernel;
-use crate::Real;
+use crate::{Number, Real};
 
 /// `W = re/r - 1`: the rational weight of the original method.
 ///
@@ -11,16 +11,16 @@ pub struct Rational;
 
 impl<T: Real> Kernel<T> for Rational {
     #[inline(always)]
-    fn weight(&self, r: T, re: T) -> T {
-        (re / r - T::one()).at_least(T::zero())
+    fn weight<N: Number<T>>(&self, r: N, re: T) -> N {
+        (r.dividing(re) - T::one()).at_least(T::zero())
     }
 
     #[inline(always)]
-    fn weight_and_over_r2(&self, r2: T, re: T) -> (T, T) {
+    fn weight_and_over_r2<N: Number<T>>(&self, r2: N, re: T) -> (N, N) {
         // Under the root, so that rounding cannot leave a weight at r = re: re^2 * (1/re^2) never
         // rounds to more than one, while re * sqrt(1/re^2) does.
-        let inverse_r2 = T::one() / r2;
-        let weight = ((re * re * inverse_r2).sqrt() - T::one()).at_least(T::zero());
+        let inverse_r2 = r2.dividing(T::one());
+        let weight = ((inverse_r2 * (re * re)).root() - T::one()).at_least(T::zero());
         (weight, weight * inverse_r2)
     }
 

@@ -1,5 +1,5 @@
 use super::Kernel;
-use crate::Real;
+use crate::{Number, Real};
 
 /// `W = (1 - r/re)^3`: the third-order polynomial of Jandaghian and Shakibaeinia 2020.
 ///
@@ -9,8 +9,8 @@ pub struct Spiky;
 
 impl<T: Real> Kernel<T> for Spiky {
     #[inline(always)]
-    fn weight(&self, r: T, re: T) -> T {
-        let s = (T::one() - r / re).at_least(T::zero());
+    fn weight<N: Number<T>>(&self, r: N, re: T) -> N {
+        let s = (-(r / re) + T::one()).at_least(T::zero());
         s * s * s
     }
 

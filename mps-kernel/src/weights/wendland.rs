@@ -1,5 +1,5 @@
 use super::Kernel;
-use crate::Real;
+use crate::{Number, Real};
 
 /// `W = (1 - q)^4 (1 + 4 q)`, `q = r/re`: the C2 function of Wendland 1995.
 ///
@@ -9,11 +9,11 @@ pub struct WendlandC2;
 
 impl<T: Real> Kernel<T> for WendlandC2 {
     #[inline(always)]
-    fn weight(&self, r: T, re: T) -> T {
+    fn weight<N: Number<T>>(&self, r: N, re: T) -> N {
         let q = r / re;
-        let s = (T::one() - q).at_least(T::zero());
+        let s = (-q + T::one()).at_least(T::zero());
         let s2 = s * s;
-        s2 * s2 * (T::one() + T::of(4.0) * q)
+        s2 * s2 * (q * T::of(4.0) + T::one())
     }
 
     fn name(&self) -> &'static str {

@@ -14,6 +14,7 @@
 //! | `von_neumann` | the same, wave by wave on the infinite lattice |
 //! | `degenerate` | poor neighbourhoods and coincident particles are refused or bounded, never NaN |
 //! | `far_from_origin` | nothing depends on where the origin is |
+//! | `lanes` | several pairs at a time give the bits of one at a time |
 //! | `tensor`, `polar` | the small tensors |
 
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
@@ -25,6 +26,7 @@ mod degenerate;
 mod diffusion;
 mod far_from_origin;
 mod gradient;
+mod lanes;
 mod polar;
 mod polynomials;
 mod reference_density;

@@ -12,7 +12,7 @@
 
 use crate::common::{Cloud, Noise, Scene, Weight, close, epsilon, scene};
 use mps_kernel::operators::{ConservativeDivergence, Divergence, Gradient, Laplacian};
-use mps_kernel::{Real, Tensor, Vector, apply, tensor};
+use mps_kernel::{Real, Tensor, Vector, apply, small};
 use proptest::prelude::*;
 
 /// `a + b.x + x.H x/2 + (c.x)^3`, in units of the spacing.
@@ -105,8 +105,8 @@ fn moments_are_isotropic<T: Real, const D: usize>(scene: &Scene) -> Result<(), T
     let (mut first, mut second) = (Tensor::<T, D>::zeros(), Tensor::<T, D>::zeros());
     for (i, pair) in cloud.pairs() {
         if i == cloud.middle() {
-            first += tensor::outer(&pair.gradient_vector(), &pair.r_ij);
-            second += tensor::outer(&pair.r_ij, &pair.r_ij) * pair.weight;
+            first += small::outer(&pair.gradient_vector(), &pair.r_ij);
+            second += small::outer(&pair.r_ij, &pair.r_ij) * pair.weight;
         }
     }
     let dimension = T::of(D as f64);

@@ -1,7 +1,8 @@
 //! Determinant, cofactor, inverse, strain and the largest eigenvalue of small tensors.
 
 use crate::common::{Noise, close, epsilon};
-use mps_kernel::tensor::{cofactor, determinant, green_lagrange, guarded_inverse, largest_eigenvalue, outer};
+use mps_kernel::small::outer;
+use mps_kernel::tensor::{cofactor, determinant, green_lagrange, guarded_inverse, largest_eigenvalue};
 use mps_kernel::{Real, Tensor, Vector};
 use nalgebra::DMatrix;
 use proptest::prelude::*;

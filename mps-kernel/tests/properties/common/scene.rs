@@ -1,5 +1,5 @@
 use mps_kernel::weights::{Gaussian, Rational, Spiky, WendlandC2};
-use mps_kernel::{Kernel, Real, Vector};
+use mps_kernel::{Kernel, Number, Real, Vector};
 use proptest::prelude::*;
 
 /// Every weight of the crate, chosen at run time.
@@ -16,7 +16,7 @@ impl Weight {
 }
 
 impl<T: Real> Kernel<T> for Weight {
-    fn weight(&self, r: T, re: T) -> T {
+    fn weight<N: Number<T>>(&self, r: N, re: T) -> N {
         match self {
             Self::Rational => Rational.weight(r, re),
             Self::WendlandC2 => WendlandC2.weight(r, re),
@@ -25,7 +25,7 @@ impl<T: Real> Kernel<T> for Weight {
         }
     }
 
-    fn weight_and_over_r2(&self, r2: T, re: T) -> (T, T) {
+    fn weight_and_over_r2<N: Number<T>>(&self, r2: N, re: T) -> (N, N) {
         match self {
             Self::Rational => Rational.weight_and_over_r2(r2, re),
             Self::WendlandC2 => WendlandC2.weight_and_over_r2(r2, re),
