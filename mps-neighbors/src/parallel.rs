@@ -280,16 +280,14 @@ fn halve_leaves<F: Fields>(block: usize, fields: F, first: usize, leaf: &(impl F
 /// Wider registers gain next to nothing here (`docs/performance.md`), and every further set of
 /// instructions is one more copy of every sweep to compile.
 fn run_at<F: Fields>(level: Level, fields: F, first: usize, sweep: &impl Sweep<F>) {
-    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    {
-        if let Some(avx2) = level.as_avx2() {
-            return avx2.vectorize(|| run(avx2, fields, first, sweep));
-        }
-        if let Some(sse2) = level.as_sse2() {
-            return run(sse2, fields, first, sweep);
-        }
+    #[cfg(target_arch = "x86_64")]
+    if let Some(avx2) = level.as_avx2() {
+        avx2.vectorize(|| run(avx2, fields, first, sweep));
+    } else if let Some(sse2) = level.as_sse2() {
+        // Every processor of this kind has SSE2.
+        run(sse2, fields, first, sweep);
     }
-    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+    #[cfg(not(target_arch = "x86_64"))]
     fearless_simd::dispatch!(level, simd => run(simd, fields, first, sweep));
 }
 
