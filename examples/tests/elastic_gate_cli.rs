@@ -52,6 +52,8 @@ fn what_cannot_be_run_is_refused_with_the_flag_and_a_remedy() {
         ("--sound-ratio", "nan", "usual is 10"),
         ("--alpha", "-0.1", "0.02"),
         ("--alpha", "nan", "0.02"),
+        ("--shifting", "101", "5 in the paper"),
+        ("--beside", "nowhere", "an earlier run"),
     ] {
         let dir = fresh("refused");
         let output = gate(&dir, &[flag, value]);
@@ -110,6 +112,8 @@ fn help_names_every_flag() {
         "--sound-ratio",
         "--cfl",
         "--alpha",
+        "--shifting",
+        "--beside",
         "--threads",
         "--precision",
         "--out",
@@ -185,6 +189,21 @@ fn quiet_prints_nothing_and_without_fields_there_are_none() {
         .collect();
     left.sort_unstable();
     assert_eq!(left, ["gate.png", "probes.csv", "summary.json"]);
+}
+
+#[test]
+fn the_curve_of_an_earlier_run_is_drawn_beside_and_shifting_changes_the_run() {
+    let short = ["--end-time", "0.004", "--no-fields", "--quiet"];
+    let plain = fresh("plain");
+    run(&plain, &short);
+    let shifted = fresh("shifted");
+    run(&shifted, &[&short[..], &["--shifting", "2", "--beside", plain.to_str().unwrap()]].concat());
+    let file = |dir: &std::path::Path, name: &str| std::fs::read(dir.join(name)).unwrap();
+    assert_ne!(file(&plain, "probes.csv"), file(&shifted, "probes.csv"));
+    let alone = fresh("shifted-alone");
+    run(&alone, &[&short[..], &["--shifting", "2"]].concat());
+    assert_eq!(file(&alone, "probes.csv"), file(&shifted, "probes.csv"));
+    assert_ne!(file(&alone, "gate.png"), file(&shifted, "gate.png"), "no further curve");
 }
 
 /// Fields once asked for neighbours before the first step had found any.

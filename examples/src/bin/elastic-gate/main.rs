@@ -1,6 +1,7 @@
 //! Case 4: a dam break through an elastic gate, from geometry to a film and a curve against the
 //! experiment.
 
+mod beside;
 mod fields;
 mod observe;
 mod options;
@@ -8,6 +9,7 @@ mod reference;
 mod report;
 mod setup;
 
+use beside::Earlier;
 use clap::Parser;
 use fields::Fields;
 use mps_examples::{Failure, Precision};
@@ -54,6 +56,7 @@ fn report_failure(failure: &Failure) {
 
 fn run<T: Real>(options: &Options) -> Result<(), Failure> {
     let settings = options.settings()?;
+    let earlier = options.beside.iter().map(|dir| Earlier::read(dir)).collect::<Result<Vec<_>, _>>()?;
     let parallel = options.common.parallel()?;
     let dir = options.common.output("elastic-gate")?;
     let mut scene = setup::build::<T>(&settings, &parallel)?;
@@ -64,7 +67,7 @@ fn run<T: Real>(options: &Options) -> Result<(), Failure> {
         .install(|| advance(options, &settings, &dir, &mut scene, &mut observer, &parallel, &mut stepping));
 
     // Whatever happened, what has been computed is kept.
-    report::plot(&dir, options, &observer)?;
+    report::plot(&dir, options, &observer, &earlier)?;
     let threads = parallel.threads();
     let summary =
         report::summary(options, &settings, &scene, &observer, threads, stepping, done.as_ref().err());

@@ -4,6 +4,7 @@ use crate::reference::{EXPERIMENT_MAXIMUM, KHAYYER_2018, Maximum, NG_2020, SPHIN
 use crate::setup::{GATE_THICKNESS, Rubber, Settings};
 use clap::{Parser, ValueEnum};
 use mps_examples::{Common, Refused};
+use std::path::PathBuf;
 
 /// Dam break through an elastic gate (Antoci, Gallati, Sibilla 2007; case 4 of the paper).
 ///
@@ -34,6 +35,12 @@ pub(crate) struct Options {
     /// Strength of the artificial viscosity
     #[arg(long, value_name = "ALPHA", default_value_t = 0.02)]
     pub(crate) alpha: f64,
+    /// Parts of the particle shifting (icPS) in a step, 5 in the paper; 0 for no shifting
+    #[arg(long, value_name = "K", default_value_t = 0)]
+    pub(crate) shifting: u32,
+    /// Directory of an earlier run, to draw its curve beside this one; may be repeated
+    #[arg(long, value_name = "DIR")]
+    pub(crate) beside: Vec<PathBuf>,
     #[command(flatten)]
     pub(crate) common: Common,
 }
@@ -138,6 +145,12 @@ impl Options {
             self.alpha,
             "give a strength of 0 or more, e.g. 0.02",
         )?;
+        Refused::unless(
+            self.shifting <= 100,
+            "--shifting",
+            self.shifting,
+            "give the number of parts of a shift, 5 in the paper, or 0 for no shifting",
+        )?;
         let across = self.across.unwrap_or_else(|| (thickness.round() as usize).max(4));
         Refused::unless(across >= 2, "--across", across, "the gate needs at least 2 particles across")?;
         Refused::unless(
@@ -161,6 +174,7 @@ impl Options {
             sound_ratio: self.sound_ratio,
             cfl: self.cfl,
             alpha: self.alpha,
+            shifting: self.shifting,
         })
     }
 }

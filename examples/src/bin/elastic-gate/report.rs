@@ -1,5 +1,6 @@
 //! The plot against the experiment and summary.json.
 
+use crate::beside::Earlier;
 use crate::observe::Observer;
 use crate::options::Options;
 use crate::reference::EXPERIMENT;
@@ -10,7 +11,12 @@ use mps_kernel::Real;
 use std::path::Path;
 
 /// Displacement of the free end over time, with the experiment's points and the published maximum.
-pub(crate) fn plot<T: Real>(dir: &Path, options: &Options, observer: &Observer<T>) -> Result<(), Failure> {
+pub(crate) fn plot<T: Real>(
+    dir: &Path,
+    options: &Options,
+    observer: &Observer<T>,
+    earlier: &[Earlier],
+) -> Result<(), Failure> {
     let column = |f: &dyn Fn(&(f64, FreeEnd)) -> f64| observer.end.iter().map(f).collect::<Vec<_>>();
     let time = column(&|e| e.0);
     let (x, y) = (column(&|e| e.1.corner[0] * 1e3), column(&|e| e.1.corner[1] * 1e3));
@@ -26,9 +32,17 @@ pub(crate) fn plot<T: Real>(dir: &Path, options: &Options, observer: &Observer<T
         options.spacing * 1e3
     );
     let span = [0.0, options.end_time.max(0.36)];
-    CurvePlot::new(&title, "time [s]", "displacement [mm]")
+    let mut curves = CurvePlot::new(&title, "time [s]", "displacement [mm]")
         .line("x of the outer corner, this run", &time, &x)
-        .line("y of the outer corner, this run", &time, &y)
+        .line("y of the outer corner, this run", &time, &y);
+    for run in earlier {
+        curves = curves.line(&format!("x, {}", run.label), &run.time, &run.x).line(
+            &format!("y, {}", run.label),
+            &run.time,
+            &run.y,
+        );
+    }
+    curves
         .points("x, Antoci et al. 2007 (experiment)", &te, &xe)
         .points("y, Antoci et al. 2007 (experiment)", &te, &ye)
         .dashed(&format!("x maximum, {}", published.source), &span, &[published.x * 1e3; 2])
@@ -58,6 +72,7 @@ pub(crate) fn summary<T: Real>(
     summary.set("sound_speed_m_s", sound_speed(settings));
     summary.set("cfl", settings.cfl);
     summary.set("artificial_viscosity", settings.alpha);
+    summary.set("shifting_parts", settings.shifting);
     summary.set("density_diffusion", scene.fluid().config().diffusion.to_double());
     summary.set("radius_ratio", scene.fluid().config().radius_ratio.to_double());
     summary.threads = threads;

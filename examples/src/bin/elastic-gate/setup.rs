@@ -3,7 +3,7 @@
 use mps_coupling::{ElasticBody, Scene};
 use mps_examples::Failure;
 use mps_fluid::{
-    ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait,
+    ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Shifting, Slip, Tait,
 };
 use mps_kernel::weights::{Rational, WendlandC2};
 use mps_kernel::{Real, Vector};
@@ -59,6 +59,8 @@ pub(crate) struct Settings {
     pub(crate) cfl: f64,
     /// Strength of the artificial viscosity.
     pub(crate) alpha: f64,
+    /// Parts of the particle shifting in a step, 0 for none.
+    pub(crate) shifting: u32,
 }
 
 /// Numerical sound speed \[m/s\].
@@ -80,6 +82,8 @@ fn water<T: Real>(settings: &Settings) -> Result<Fluid<T, 2, Rational, Artificia
     let mut config = FluidConfig::water(T::of(l0), T::of(sound_speed(settings)));
     config.gravity = Vector::from([T::zero(), T::of(-GRAVITY)]);
     config.cfl = T::of(settings.cfl);
+    config.shifting =
+        (settings.shifting > 0).then(|| Shifting { iterations: settings.shifting, ..Shifting::default() });
 
     let mut particles = FluidParticles::at_rest(fill([0.0, 0.0], [RESERVOIR_WIDTH, WATER_DEPTH], l0));
     let eos = Tait::new(config.density, config.sound_speed);
