@@ -15,6 +15,8 @@ where
     M: ConstitutiveModel<T, D>,
 {
     solid: Solid<T, D, M, K>,
+    /// What is held over a sub-step besides gravity: nothing.
+    no_force: Vec<Vector<T, D>>,
 }
 
 impl<T, const D: usize, M, K> ElasticBody<T, D, M, K>
@@ -25,7 +27,7 @@ where
 {
     /// Wraps a solid.
     pub fn new(solid: Solid<T, D, M, K>) -> Self {
-        Self { solid }
+        Self { no_force: vec![Vector::zeros(); solid.len()], solid }
     }
 
     /// The solid.
@@ -69,7 +71,8 @@ where
         dt: T,
         substeps: usize,
     ) -> Result<(), Box<dyn Error + Send + Sync>> {
-        Ok(self.solid.advance(parallel, force, gravity, dt, substeps)?)
+        self.solid.kick(parallel, force, dt)?;
+        Ok(self.solid.advance(parallel, &self.no_force, gravity, dt, substeps)?)
     }
 
     fn as_any(&self) -> &dyn Any {

@@ -1,6 +1,7 @@
 //! What can go wrong when fluid and structure meet.
 
 use mps_fluid::FluidError;
+use mps_kernel::ReferenceDensityError;
 use mps_neighbors::NeighborError;
 use std::error::Error;
 use thiserror::Error;
@@ -24,6 +25,9 @@ pub enum CouplingError {
     /// The interface could not be registered.
     #[error(transparent)]
     Interface(#[from] NeighborError),
+    /// The spacing of a structure gives no lattice to compare its surface with.
+    #[error("the spacing of a structure is unusable: {0}")]
+    Spacing(#[from] ReferenceDensityError),
     /// A structure would need more sub-steps than makes sense.
     #[error(
         "structure {index} would need {substeps} sub-steps of {limit:e} s in one fluid step of {dt:e} s: \

@@ -1,10 +1,11 @@
 //! Interface registration: which structure points form the surface, their normals, and which of
 //! them touch the fluid (paper, section 2.2.6).
 
+use crate::CouplingError;
 use mps_fluid::surface::{DENSITY_LIMIT, GAP_LIMIT, has_gap};
 use mps_kernel::weights::{Kernel, WendlandC2};
-use mps_kernel::{Real, Vector};
-use mps_neighbors::{Cells, NeighborError, Open, Parallel, Rows};
+use mps_kernel::{Real, ReferenceDensity, Vector};
+use mps_neighbors::{Cells, Open, Parallel, Rows};
 
 /// A point touches the fluid if more than this many fluid particles are within the effective radius.
 const WETTED_BY_MORE_THAN: usize = 2;
@@ -28,8 +29,8 @@ pub struct Interface<T: Real, const D: usize> {
 }
 
 impl<T: Real, const D: usize> Interface<T, D> {
-    /// Finds the surface of the undeformed structure: points with less than 0.95 of the largest
-    /// number density and an angular gap of more than a quarter of the full angle between
+    /// Finds the surface of the undeformed structure: points with less than 0.95 of the number density
+    /// of a full lattice and an angular gap of more than a quarter of the full angle between
     /// neighbours of their own structure.
     ///
     /// Material neighbours stay neighbours, so this is done once; normals follow the motion.
@@ -41,7 +42,7 @@ impl<T: Real, const D: usize> Interface<T, D> {
         positions: &[Vector<T, D>],
         spacing: T,
         fluid_radius: T,
-    ) -> Result<Self, NeighborError> {
+    ) -> Result<Self, CouplingError> {
         let radius = spacing * T::of(RADIUS_RATIO);
         let mut cells = Cells::new();
         cells.build(parallel, &Open, positions, radius)?;
@@ -56,7 +57,9 @@ impl<T: Real, const D: usize> Interface<T, D> {
                 rows.row(i).iter().map(weight).fold(T::zero(), |a, b| a + b)
             })
             .collect();
-        let full = density.iter().fold(T::zero(), |a, &b| a.max(b)) * T::of(DENSITY_LIMIT);
+        // Of the lattice, not of the densest point: a plate two points thick has no inside to compare with.
+        let lattice = ReferenceDensity::lattice::<_, D>(&WendlandC2, spacing, radius)?;
+        let full = lattice.n0 * T::of(DENSITY_LIMIT);
         let surface: Vec<bool> = (0..len)
             .map(|i| {
                 let around: Vec<_> =
@@ -141,6 +144,20 @@ mod tests {
         }
         // Corners point along the diagonal.
         approx::assert_relative_eq!(interface.normal[0][0], -0.5_f64.sqrt(), epsilon = 1e-12);
+    }
+
+    /// Only the ends of a plate two points thick were once found.
+    #[test]
+    fn every_point_of_a_thin_plate_is_surface() {
+        let l0 = 0.1;
+        for layers in 1..=2 {
+            let points: Vec<Vector<f64, 2>> = (0..12 * layers)
+                .map(|k| Vector::from([l0 * (k / layers) as f64, l0 * (k % layers) as f64]))
+                .collect();
+            let interface = Interface::register(&Parallel::serial(), &points, l0, 3.0 * l0).unwrap();
+            assert!(interface.surface.iter().all(|&s| s), "{layers} layers: {:?}", interface.surface);
+            assert_eq!(interface.visible.len(), points.len());
+        }
     }
 
     #[test]

@@ -26,6 +26,18 @@ impl<T: Real, const D: usize> Body<T, D> {
             self.force[i as usize] = fluid.force_on(a);
         }
     }
+
+    /// Shows the fluid the mean velocities of the last sub-step.
+    fn show_velocities<K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>(
+        &self,
+        fluid: &mut Fluid<T, D, K, V, P>,
+    ) {
+        let velocities = self.structure.mean_velocities();
+        let boundary = fluid.boundary_mut();
+        for (a, &i) in self.range.clone().zip(&self.interface.visible) {
+            boundary.velocity[a] = velocities[i as usize];
+        }
+    }
 }
 
 /// A fluid with structures, advanced in one nested loop.
@@ -144,12 +156,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                 body.structure
                     .advance(parallel, &body.force, &gravity, sub_dt, 1)
                     .map_err(|source| CouplingError::Structure { index, time, source })?;
-                let velocities = body.structure.mean_velocities();
-                self.budget.book(&body.force, velocities, sub_dt);
-                let boundary = self.fluid.boundary_mut();
-                for (a, &i) in body.range.clone().zip(&body.interface.visible) {
-                    boundary.velocity[a] = velocities[i as usize];
-                }
+                self.budget.book(&body.force, body.structure.mean_velocities(), sub_dt);
+                body.show_velocities(&mut self.fluid);
             }
             self.fluid.compress_interface(parallel, sub_dt);
         }

@@ -46,7 +46,11 @@ pub trait Structure<T: Real, const D: usize>: Send + Sync {
     fn max_step(&self, parallel: &Parallel) -> T;
 
     /// Moves on by `dt` \[s\] in `substeps` equal parts, under `force` \[N\] on each point and
-    /// `gravity` \[m/s^2\], both held over the step.
+    /// `gravity` \[m/s^2\].
+    ///
+    /// The force belongs to the positions at the start. It has to act before the body moves, as the
+    /// impulse `force dt`: held over the sub-step it would lag behind the motion by half of it and feed
+    /// vibrations the fluid acts on as a spring (`docs/coupling.md`).
     ///
     /// # Errors
     /// If the structure cannot go on; the message says which part of it and why.

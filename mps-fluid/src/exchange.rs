@@ -41,8 +41,6 @@ pub(crate) struct Exchange<T: Real, const D: usize> {
     /// Pressure before clipping and its rise since the start of the step \[Pa\].
     raw: Vec<T>,
     rise: Vec<T>,
-    /// Rise over the last sub-step \[Pa\].
-    last_rise: Vec<T>,
     /// Effective change of pressure in the present sub-step, and its sum over the step \[Pa\].
     change: Vec<T>,
     sum: Vec<T>,
@@ -88,7 +86,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         }
         let wetted = exchange.wetted.len();
         exchange.wetted_start.push(exchange.wetted_links.len() as u32);
-        for field in [&mut exchange.rise, &mut exchange.last_rise, &mut exchange.change, &mut exchange.sum] {
+        for field in [&mut exchange.rise, &mut exchange.change, &mut exchange.sum] {
             field.resize(wetted, T::zero());
         }
     }
@@ -129,9 +127,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// Compresses the particles at the interface by the motion of the structures over a sub-step of
     /// `dt` \[s\], whose mean velocities are those of the reactive boundary points.
     pub fn compress_interface(&mut self, parallel: &Parallel, dt: T) {
-        let Exchange {
-            wetted, wetted_start, wetted_links, raw, rise, last_rise, change, sum, substeps, ..
-        } = &mut self.exchange;
+        let Exchange { wetted, wetted_start, wetted_links, raw, rise, change, sum, substeps, .. } =
+            &mut self.exchange;
         *substeps += 1;
         let (wetted, starts, links, raw) = (&*wetted, &*wetted_start, &*wetted_links, &*raw);
         let (u, p) = (&self.particles.velocity, &self.particles.pressure);
@@ -141,20 +138,16 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let stiffness = config.density * config.sound_speed * config.sound_speed;
         let factor = -stiffness * T::of(2.0) * self.reference.gradient_factor::<D>() * dt;
         let clip = config.tension == Tension::Clip;
-        let half = T::of(0.5);
-        let fields =
-            (rise.as_mut_slice(), last_rise.as_mut_slice(), change.as_mut_slice(), sum.as_mut_slice());
-        parallel.update(fields, |k, (rise, last_rise, change, sum)| {
+        let fields = (rise.as_mut_slice(), change.as_mut_slice(), sum.as_mut_slice());
+        parallel.update(fields, |k, (rise, change, sum)| {
             let i = wetted[k] as usize;
             *sum += *change;
             let mut rate = T::zero();
             for link in &links[starts[k] as usize..starts[k + 1] as usize] {
                 rate += (velocity[link.other as usize] - u[i]).dot(&link.vector);
             }
-            *last_rise = factor * rate;
-            *rise += *last_rise;
-            // The force of the coming sub-step belongs to its middle.
-            let pressure = raw[k] + *rise + *last_rise * half;
+            *rise += factor * rate;
+            let pressure = raw[k] + *rise;
             *change = if clip { pressure.max(T::zero()) } else { pressure } - p[i];
         });
     }
@@ -183,7 +176,7 @@ impl<T: Real, const D: usize> Exchange<T, D> {
         self.wetted_links.clear();
         self.point_start.clear();
         self.point_links.clear();
-        for field in [&mut self.raw, &mut self.rise, &mut self.last_rise, &mut self.change, &mut self.sum] {
+        for field in [&mut self.raw, &mut self.rise, &mut self.change, &mut self.sum] {
             field.clear();
         }
         self.substeps = 0;

@@ -143,6 +143,26 @@ where
         Ok(())
     }
 
+    /// Changes velocities by the impulse `force dt` \[N s\] on every particle, all at once.
+    ///
+    /// For a force that depends on the position of the body and is known at the start of a sub-step only:
+    /// given before [`advance`](Self::advance) it is one more kick of the symplectic step, while the same
+    /// force held over the sub-step would lag behind the motion and feed vibrations.
+    ///
+    /// # Errors
+    /// If `dt` or the length of `force` is unusable.
+    pub fn kick(&mut self, parallel: &Parallel, force: &[Vector<T, D>], dt: T) -> Result<(), SolidError> {
+        self.check_step(force, dt, 1)?;
+        let SolidParticles { velocity, mass, clamped, .. } = &mut self.particles;
+        let (mass, clamped) = (&*mass, &*clamped);
+        parallel.update(velocity.as_mut_slice(), |i, u| {
+            if clamped[i] == 0 {
+                *u += force[i] * (dt / mass[i]);
+            }
+        });
+        Ok(())
+    }
+
     fn check_step(&self, force: &[Vector<T, D>], dt: T, substeps: usize) -> Result<(), SolidError> {
         if force.len() != self.len() {
             return Err(SolidError::Length { name: "force", got: force.len(), particles: self.len() });
