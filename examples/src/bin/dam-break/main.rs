@@ -31,8 +31,8 @@ const PROBE_INTERVAL: f64 = 5e-4;
 /// Between two frames of the film, and of the fields for ParaView \[s\].
 const FRAME_INTERVAL: f64 = 2e-2;
 /// Times of the snapshots over `sqrt(H/g)`: the fall, the run along the bed, the impact, the jet up
-/// the wall, its fall, and the returning wave. At the last but one the jet is drawn closely as well.
-const SNAPSHOTS: [f64; 10] = [0.0, 1.0, 2.0, 2.5, 3.0, 4.0, 5.0, 5.5, 6.0, 7.0];
+/// the wall, its fall, and the returning wave.
+const SNAPSHOTS: [f64; 10] = [0.0, 1.0, 2.0, 2.5, 3.0, 4.0, 5.0, 5.5, JET, 7.0];
 /// When the paper shows the returning jet (its Fig. 12), over `sqrt(H/g)`.
 const JET: f64 = 6.0;
 

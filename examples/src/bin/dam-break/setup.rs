@@ -30,6 +30,11 @@ pub(crate) const PRESSURE: f64 = DENSITY * GRAVITY * HEIGHT;
 /// Speed of the lifted gate \[m/s\]: the median 3.46 m/s of the experiment, at this scale.
 const GATE_SPEED: f64 = 3.46 * std::f64::consts::SQRT_2;
 
+/// Spacing of the points of the walls, over that of the particles: smooth to water that slides by.
+const WALL_SPACING: f64 = 0.5;
+/// Depth of the walls over the spacing of the particles: the effective radius.
+const DEPTH: f64 = 3.0;
+
 /// The water.
 pub(crate) type Water<T> = Fluid<T, 2, Rational, ArtificialViscosity<T>>;
 
@@ -96,10 +101,12 @@ impl<T: Real> DamBreak<T> {
             *n = eos.density(config.density * T::of(GRAVITY) * (T::of(HEIGHT) - r[1]));
         }
         let mut boundary = Boundary::default();
-        boundary.add_wall(&tank(l0), Slip::Free);
+        // A quarter of a particle each.
+        let volume = T::of(WALL_SPACING * WALL_SPACING);
+        boundary.add_fine_wall(&tank(l0), volume, Slip::Free);
         let gate = match settings.release {
             Release::Instant => 0..0,
-            Release::Lifted => boundary.add_wall(&gate(l0), Slip::Free).unwrap_or_default(),
+            Release::Lifted => boundary.add_fine_wall(&gate(l0), volume, Slip::Free).unwrap_or_default(),
         };
         let (c, alpha) = (config.sound_speed, T::of(settings.alpha));
         let viscosity = |reference: &_| ArtificialViscosity::new::<2>(alpha, c, reference);
@@ -139,20 +146,19 @@ impl<T: Real> DamBreak<T> {
     }
 }
 
-/// Bed and both walls: layers of points as deep as the effective radius, the first half a spacing behind
-/// the surface. The surface of the far wall is where the tank ends, whether or not that is a whole
-/// number of spacings.
+/// Bed and both walls: layers of points as deep as the effective radius. The surface of the far wall is
+/// where the tank ends, whether or not that is a whole number of spacings.
 fn tank<T: Real>(l0: f64) -> Vec<Vector<T, 2>> {
-    let depth = 3.0 * l0;
-    let mut points = fill([-depth, 0.0], [0.0, WALL_HEIGHT], l0);
-    points.extend(fill([-depth, -depth], [TANK + depth, 0.0], l0));
-    points.extend(fill([TANK, 0.0], [TANK + depth, WALL_HEIGHT], l0));
+    let (depth, spacing) = (DEPTH * l0, WALL_SPACING * l0);
+    let mut points = fill([-depth, 0.0], [0.0, WALL_HEIGHT], spacing);
+    points.extend(fill([-depth, -depth], [TANK + depth, 0.0], spacing));
+    points.extend(fill([TANK, 0.0], [TANK + depth, WALL_HEIGHT], spacing));
     points
 }
 
 /// The gate in its place, the lowest row first.
 fn gate<T: Real>(l0: f64) -> Vec<Vector<T, 2>> {
-    fill([LENGTH, 0.0], [LENGTH + 3.0 * l0, 1.5 * HEIGHT], l0)
+    fill([LENGTH, 0.0], [LENGTH + DEPTH * l0, 1.5 * HEIGHT], WALL_SPACING * l0)
 }
 
 /// Cell centres of a lattice that fills the box from `lower` with whole cells.
