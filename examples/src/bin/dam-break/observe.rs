@@ -106,7 +106,7 @@ impl Observer {
         let sample = Sample {
             time: seconds / TIME,
             front: front(&particles.position, l0) / HEIGHT,
-            pressure: pressures(particles, l0).map(|p| p / PRESSURE),
+            pressure: pressures(fluid.boundary(), l0).map(|p| p / PRESSURE),
         };
         self.samples.push(sample);
         let [p1, p2, p3, p4] = sample.pressure;

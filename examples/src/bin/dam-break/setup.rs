@@ -31,7 +31,7 @@ pub(crate) const PRESSURE: f64 = DENSITY * GRAVITY * HEIGHT;
 const GATE_SPEED: f64 = 3.46 * std::f64::consts::SQRT_2;
 
 /// Spacing of the points of the walls, over that of the particles: smooth to water that slides by.
-const WALL_SPACING: f64 = 0.5;
+pub(crate) const WALL_SPACING: f64 = 0.5;
 /// Depth of the walls over the spacing of the particles: the effective radius.
 const DEPTH: f64 = 3.0;
 
@@ -108,6 +108,9 @@ impl<T: Real> DamBreak<T> {
             Release::Instant => 0..0,
             Release::Lifted => boundary.add_fine_wall(&gate(l0), volume, Slip::Free).unwrap_or_default(),
         };
+        let wall = far_wall(l0);
+        // A structure, because only of those the load is kept.
+        boundary.add_structure(&wall, wall.iter().map(|_| volume), Slip::Free);
         let (c, alpha) = (config.sound_speed, T::of(settings.alpha));
         let viscosity = |reference: &_| ArtificialViscosity::new::<2>(alpha, c, reference);
         let fluid = Fluid::new(config, Rational, viscosity, Open, particles, boundary)?;
@@ -146,14 +149,21 @@ impl<T: Real> DamBreak<T> {
     }
 }
 
-/// Bed and both walls: layers of points as deep as the effective radius. The surface of the far wall is
-/// where the tank ends, whether or not that is a whole number of spacings.
+/// Bed and back wall: layers of points as deep as the effective radius.
 fn tank<T: Real>(l0: f64) -> Vec<Vector<T, 2>> {
     let (depth, spacing) = (DEPTH * l0, WALL_SPACING * l0);
     let mut points = fill([-depth, 0.0], [0.0, WALL_HEIGHT], spacing);
-    points.extend(fill([-depth, -depth], [TANK + depth, 0.0], spacing));
-    points.extend(fill([TANK, 0.0], [TANK + depth, WALL_HEIGHT], spacing));
+    // From the far wall backwards, so that its points go on in those of the wall.
+    let length = ((TANK + depth) / spacing).ceil() * spacing;
+    points.extend(fill([TANK - length, -depth], [TANK, 0.0], spacing));
     points
+}
+
+/// The wall with the sensors, down to the lowest layer of the bed. Its surface is where the tank ends,
+/// whether or not that is a whole number of spacings.
+fn far_wall<T: Real>(l0: f64) -> Vec<Vector<T, 2>> {
+    let depth = DEPTH * l0;
+    fill([TANK, -depth], [TANK + depth, WALL_HEIGHT], WALL_SPACING * l0)
 }
 
 /// The gate in its place, the lowest row first.
