@@ -94,6 +94,7 @@ fn help_names_every_flag() {
         "--cfl",
         "--diffusion",
         "--alpha",
+        "--keep-tension",
         "--no-dpc",
         "--shifting",
         "--threads",

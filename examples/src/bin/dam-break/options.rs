@@ -3,6 +3,7 @@
 use crate::setup::{HEIGHT, Release, Settings};
 use clap::Parser;
 use mps_examples::{Common, Refused};
+use mps_fluid::Tension;
 
 /// Dam break onto a dry bed and against a wall (Lobovsky et al. 2014; case 2 of the paper).
 ///
@@ -33,6 +34,9 @@ pub(crate) struct Options {
     /// Strength of the artificial viscosity
     #[arg(long, value_name = "ALPHA", default_value_t = 0.02)]
     pub(crate) alpha: f64,
+    /// Keep pressures below zero instead of cutting them off
+    #[arg(long)]
+    pub(crate) keep_tension: bool,
     /// No collisions between close particles
     #[arg(long)]
     pub(crate) no_dpc: bool,
@@ -123,6 +127,7 @@ impl Options {
             cfl: self.cfl,
             diffusion: self.diffusion,
             alpha: self.alpha,
+            tension: if self.keep_tension { Tension::Keep } else { Tension::Clip },
             collisions: !self.no_dpc,
             shifting: self.shifting,
         })

@@ -66,6 +66,7 @@ pub(crate) fn summary<T: Real>(
     summary.set("cfl", settings.cfl);
     summary.set("density_diffusion", settings.diffusion);
     summary.set("artificial_viscosity", settings.alpha);
+    summary.set("keep_tension", options.keep_tension);
     summary.set("collisions", settings.collisions);
     summary.set("shifting_iterations", settings.shifting);
     summary.set("radius_ratio", fluid.config().radius_ratio.to_double());

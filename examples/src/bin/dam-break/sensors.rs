@@ -62,6 +62,7 @@ fn at(rows: &[f64], height: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::setup::{DENSITY, DamBreak, GRAVITY, LENGTH, Release, Settings, TANK};
+    use mps_fluid::Tension;
     use mps_neighbors::Parallel;
 
     /// The column moved against the far wall presses on it with its weight. The fine points of the wall
@@ -78,6 +79,7 @@ mod tests {
                 cfl: 0.5,
                 diffusion: 0.5,
                 alpha: 0.02,
+                tension: Tension::Clip,
                 collisions: true,
                 shifting: 0,
             };

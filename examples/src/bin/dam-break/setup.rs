@@ -3,7 +3,7 @@
 use mps_examples::Failure;
 use mps_fluid::{
     ArtificialViscosity, Boundary, Dpc, EquationOfState, Fluid, FluidConfig, FluidError, FluidParticles,
-    Shifting, Slip, Tait,
+    Shifting, Slip, Tait, Tension,
 };
 use mps_kernel::weights::Rational;
 use mps_kernel::{Real, Vector};
@@ -64,6 +64,8 @@ pub(crate) struct Settings {
     pub(crate) diffusion: f64,
     /// Strength of the artificial viscosity.
     pub(crate) alpha: f64,
+    /// What becomes of pressures below zero.
+    pub(crate) tension: Tension,
     /// Whether close particles collide.
     pub(crate) collisions: bool,
     /// Sub-shifts a step; 0 for none.
@@ -91,6 +93,7 @@ impl<T: Real> DamBreak<T> {
         config.gravity = Vector::from([T::zero(), T::of(-GRAVITY)]);
         config.cfl = T::of(settings.cfl);
         config.diffusion = T::of(settings.diffusion);
+        config.tension = settings.tension;
         config.collisions = settings.collisions.then(Dpc::default);
         config.shifting = (settings.shifting > 0)
             .then(|| Shifting { iterations: settings.shifting, ..Shifting::default() });
