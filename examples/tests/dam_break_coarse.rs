@@ -7,7 +7,7 @@ use std::process::Command;
 
 #[test]
 #[ignore = "takes half a minute"]
-fn a_coarse_dam_break_arrives_on_time_and_presses_as_measured() {
+fn a_coarse_dam_break_arrives_on_time_and_keeps_its_books() {
     let dir = Path::new(env!("CARGO_TARGET_TMPDIR")).join("dam-break-coarse");
     let _ = std::fs::remove_dir_all(&dir);
     let status = Command::new(env!("CARGO_BIN_EXE_dam-break"))
