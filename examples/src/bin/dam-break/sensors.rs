@@ -3,7 +3,7 @@
 //! A sensor is a disc in the wall, and its pressure the mean over the disc of the force of the water on
 //! the points of the wall, a row of which stands for a stripe of its surface. That is the load the
 //! wall really bears, momentum for momentum. (The pressure of the particles next to the wall is not:
-//! where water turns at a wall it is higher by almost half, whatever the spacing; see the notes in
+//! where water turns at a wall it is higher by a third, and no less so at a finer spacing; see
 //! `docs/dam-break.md`.) Nothing is averaged over time.
 
 use crate::setup::{HEIGHT, WALL_SPACING};
