@@ -7,7 +7,7 @@
 //! - [`FieldWriter`], [`PointCloud`]: one `.vtu` a frame and a `.pvd` that ParaView opens while the
 //!   job runs.
 //! - [`CsvWriter`], [`CsvTable`]: time series, complete after every row; reference curves.
-//! - [`CurvePlot`]: results as lines, experiments as markers.
+//! - [`CurvePlot`]: results as lines, experiments as markers, their scatter as bands.
 //! - [`FieldPicture`], [`Film`]: particles coloured by pressure or strain, stills and animated PNG.
 //! - [`Progress`]: how far a run is and when it will be done.
 //! - [`Summary`], [`Metric`]: `summary.json`, the record of a run.

@@ -106,6 +106,29 @@ fn a_frame_of_another_size_is_refused() {
     assert_eq!(play(&path).0, 2);
 }
 
+/// Pale inside, white outside, and the curve on it keeps its colour.
+#[test]
+fn a_band_lies_behind_the_curves_and_stretches_the_axis() {
+    let x = [0.0, 1.0];
+    let image = CurvePlot::new("", "x", "y")
+        .line("run", &x, &[2.0; 2])
+        .band("scatter", &x, &[1.0; 2], &[3.0; 2])
+        .y_range(0.0, 4.0)
+        .render()
+        .unwrap();
+    let middle = image.width() / 2 + 7;
+    let column: Vec<[u8; 3]> = (0..image.height()).map(|y| image.pixel(middle, y).unwrap()).collect();
+    let pale = |c: &&[u8; 3]| c[0] == c[1] && c[1] == c[2] && (190..226).contains(&c[0]);
+    let shaded = column.iter().filter(pale).count() as f64 / f64::from(image.height());
+    assert!((0.3..0.5).contains(&shaded), "half of the axis is shaded, {shaded} of the height");
+    assert!(column.contains(&[0, 114, 178]), "the line is on top");
+
+    let free = CurvePlot::new("", "x", "y").band("scatter", &x, &[1.0; 2], &[900.0; 2]);
+    assert!(free.clone().render().is_ok());
+    let uneven = free.band("uneven", &x, &[1.0; 2], &[900.0]).render().unwrap_err().to_string();
+    assert!(uneven.contains("uneven"), "{uneven}");
+}
+
 #[test]
 fn curves_have_their_colours_and_markers_their_places() {
     let x: Vec<f64> = (0..50).map(f64::from).collect();

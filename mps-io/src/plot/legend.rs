@@ -45,6 +45,16 @@ impl Legend {
             let to = from + (SAMPLE * size) as f32;
             if curve.drawn == Drawn::Points {
                 curve.marker(canvas, [0.5 * (from + to), middle]);
+            } else if curve.drawn == Drawn::Band {
+                let half = 0.35 * canvas.size;
+                let edge = |y: f32| [Some([from, y]), Some([to, y])];
+                let all = Rect {
+                    left: 0,
+                    top: 0,
+                    right: i64::from(canvas.image.width()),
+                    bottom: i64::from(canvas.image.height()),
+                };
+                curve.shade(canvas, all, &edge(middle + half), &edge(middle - half));
             } else {
                 let reach = size as i64;
                 let clip = Rect {

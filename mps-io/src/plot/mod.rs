@@ -1,5 +1,6 @@
-//! Curves as PNG: results as lines, experiments as markers.
+//! Curves as PNG: results as lines, experiments as markers, their scatter as a shaded band.
 
+mod band;
 mod legend;
 mod render;
 mod scale;
@@ -63,6 +64,15 @@ impl CurvePlot {
         self.curve(name, Drawn::Points, x, y)
     }
 
+    /// Adds a shaded area from `low` to `high`: scatter, tolerance. Lines and markers cover it.
+    pub fn band(mut self, name: &str, x: &[f64], low: &[f64], high: &[f64]) -> Self {
+        self = self.curve(name, Drawn::Band, x, low);
+        if let Some(band) = self.curves.last_mut() {
+            band.upper = high.to_vec();
+        }
+        self
+    }
+
     /// Fixes the ends of the x axis; without it they follow from the data.
     pub fn x_range(mut self, low: f64, high: f64) -> Self {
         self.ranges[0] = Some((low, high));
@@ -110,9 +120,9 @@ impl CurvePlot {
     }
 
     fn curve(mut self, name: &str, drawn: Drawn, x: &[f64], y: &[f64]) -> Self {
-        let alike = |curve: &&Curve| (curve.drawn == Drawn::Points) == (drawn == Drawn::Points);
-        let order = self.curves.iter().filter(alike).count();
-        self.curves.push(Curve { name: name.to_owned(), drawn, order, x: x.to_vec(), y: y.to_vec() });
+        let order = self.curves.iter().filter(|curve| curve.drawn.palette() == drawn.palette()).count();
+        let (name, x, y) = (name.to_owned(), x.to_vec(), y.to_vec());
+        self.curves.push(Curve { name, drawn, order, x, y, upper: Vec::new() });
         self
     }
 }

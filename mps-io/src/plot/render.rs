@@ -3,7 +3,7 @@
 use super::CurvePlot;
 use super::legend::{Legend, ROW};
 use super::scale::Scale;
-use super::series::Drawn;
+use super::series::{Curve, Drawn};
 use crate::OutputError;
 use crate::raster::axes::{self, Axis, EDGE, bottom_margin, left_margin, named};
 use crate::raster::canvas::Canvas;
@@ -13,9 +13,12 @@ use crate::raster::text::{Anchor, Letters, Text};
 
 pub(super) fn render(plot: &CurvePlot) -> Result<Image, OutputError> {
     for curve in &plot.curves {
-        if curve.x.len() != curve.y.len() {
-            let (field, expected, found) = (curve.name.clone(), curve.x.len(), curve.y.len());
-            return Err(OutputError::FieldLength { field, expected, found });
+        let edges = [Some(&curve.y), (curve.drawn == Drawn::Band).then_some(&curve.upper)];
+        for values in edges.into_iter().flatten() {
+            if curve.x.len() != values.len() {
+                let (field, expected, found) = (curve.name.clone(), curve.x.len(), values.len());
+                return Err(OutputError::FieldLength { field, expected, found });
+            }
         }
     }
     let letters = Letters::new()?;
@@ -46,10 +49,20 @@ pub(super) fn render(plot: &CurvePlot) -> Result<Image, OutputError> {
     };
     let (x_ticks, y_ticks) = (at(&x.ticks.values, &across), at(&y.ticks.values, &up));
     axes::grid(&mut canvas, rect, &x_ticks, &y_ticks);
+    let pixels = |x: &[f64], y: &[f64]| -> Vec<Option<[f32; 2]>> {
+        x.iter().zip(y).map(|(x, y)| Some([across(*x)?, up(*y)?])).collect()
+    };
+    for band in plot.curves.iter().filter(|curve| curve.drawn == Drawn::Band) {
+        band.shade(&mut canvas, rect, &pixels(&band.x, &band.y), &pixels(&band.x, &band.upper));
+    }
     let draw = |canvas: &mut Canvas, markers: bool| {
-        for curve in plot.curves.iter().filter(|curve| (curve.drawn == Drawn::Points) == markers) {
-            let points = curve.x.iter().zip(&curve.y).map(|(x, y)| Some([across(*x)?, up(*y)?]));
-            curve.draw(canvas, rect, &points.collect::<Vec<_>>());
+        let drawn = |curve: &&Curve| match curve.drawn {
+            Drawn::Line | Drawn::Dashed => !markers,
+            Drawn::Points => markers,
+            Drawn::Band => false,
+        };
+        for curve in plot.curves.iter().filter(drawn) {
+            curve.draw(canvas, rect, &pixels(&curve.x, &curve.y));
         }
     };
     // Lines end at the frame; markers on the frame cover it.
@@ -70,7 +83,11 @@ pub(super) fn render(plot: &CurvePlot) -> Result<Image, OutputError> {
 
 /// The scale of the x axis (0) or the y axis (1).
 fn scale(plot: &CurvePlot, axis: usize, most: usize) -> Result<Scale, OutputError> {
-    let values = plot.curves.iter().flat_map(|curve| if axis == 0 { &curve.x } else { &curve.y }).copied();
+    let of = |curve: &'_ Curve| match axis {
+        0 => [curve.x.clone(), Vec::new()],
+        _ => [curve.y.clone(), curve.upper.clone()],
+    };
+    let values = plot.curves.iter().flat_map(of).flatten();
     // Time fills the width; heights keep off the frame.
     let margin = if axis == 0 && !plot.logarithmic[0] { 0.0 } else { 0.04 };
     Scale::new(values, plot.ranges[axis], plot.logarithmic[axis], margin, most.clamp(3, 11)).ok_or_else(

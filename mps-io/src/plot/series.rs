@@ -1,5 +1,6 @@
-//! One curve: its points in pixels, as a line or as markers.
+//! One curve: its points in pixels, as a line, as markers or as a band.
 
+use super::band::shade;
 use crate::raster::canvas::Canvas;
 use crate::raster::draw::{Rect, polygon};
 use crate::raster::stroke::Stroke;
@@ -11,27 +12,44 @@ const LINES: [[u8; 3]; 6] =
 const POINTS: [[u8; 3]; 6] =
     [[30, 30, 30], [150, 60, 20], [90, 90, 150], [120, 120, 120], [0, 110, 80], [160, 80, 130]];
 
+/// Bands are pale shades of these.
+const BANDS: [[u8; 3]; 3] = [[30, 30, 30], [0, 114, 178], [213, 94, 0]];
+
 /// How a curve is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Drawn {
     Line,
     Dashed,
     Points,
+    Band,
+}
+
+impl Drawn {
+    /// Colours to choose from.
+    pub(super) fn palette(self) -> &'static [[u8; 3]] {
+        match self {
+            Self::Line | Self::Dashed => &LINES,
+            Self::Points => &POINTS,
+            Self::Band => &BANDS,
+        }
+    }
 }
 
 #[derive(Clone, Debug)]
 pub(super) struct Curve {
     pub(super) name: String,
     pub(super) drawn: Drawn,
-    /// Number of lines (of markers) before this one: it tells the colour and the shape.
+    /// Number of lines (of markers, of bands) before this one: it tells the colour and the shape.
     pub(super) order: usize,
     pub(super) x: Vec<f64>,
     pub(super) y: Vec<f64>,
+    /// Upper edge of a band, whose lower edge is `y`; empty for all others.
+    pub(super) upper: Vec<f64>,
 }
 
 impl Curve {
     pub(super) fn color(&self) -> [u8; 3] {
-        let colors = if self.drawn == Drawn::Points { &POINTS } else { &LINES };
+        let colors = self.drawn.palette();
         colors[self.order % colors.len()]
     }
 
@@ -55,6 +73,17 @@ impl Curve {
             }
         }
         stroke.paint(&mut canvas.image, self.color());
+    }
+
+    /// Shades the band between two edges in pixels.
+    pub(super) fn shade(
+        &self,
+        canvas: &mut Canvas,
+        clip: Rect,
+        lower: &[Option<[f32; 2]>],
+        upper: &[Option<[f32; 2]>],
+    ) {
+        shade(&mut canvas.image, clip, lower, upper, self.color());
     }
 
     /// One hollow marker: a line drawn beneath is seen to pass through or by.

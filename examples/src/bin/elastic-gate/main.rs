@@ -12,7 +12,7 @@ mod setup;
 use beside::Earlier;
 use clap::Parser;
 use fields::Fields;
-use mps_examples::{Failure, Precision};
+use mps_examples::{Due, Failure, Precision, closing_words, report_failure};
 use mps_io::Progress;
 use mps_kernel::Real;
 use mps_neighbors::Parallel;
@@ -47,11 +47,6 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
-}
-
-#[allow(clippy::print_stderr, reason = "a program talks to its user")]
-fn report_failure(failure: &Failure) {
-    eprintln!("error: {failure}");
 }
 
 fn run<T: Real>(options: &Options) -> Result<(), Failure> {
@@ -138,38 +133,4 @@ fn advance<T: Real>(
         }
         progress.update(time, scene.fluid().steps(), dt, format_args!("{} sub-steps", scene.substeps()));
     }
-}
-
-/// Something that is to happen at regular simulated times.
-struct Due {
-    interval: f64,
-    next: f64,
-}
-
-impl Due {
-    fn every(interval: f64) -> Self {
-        Self { interval, next: 0.0 }
-    }
-
-    fn is_due(&mut self, time: f64) -> bool {
-        let due = time >= self.next;
-        if due {
-            self.next = ((time / self.interval).floor() + 1.0) * self.interval;
-        }
-        due
-    }
-}
-
-#[allow(clippy::print_stdout, reason = "a program talks to its user")]
-fn closing_words(dir: &Path, summary: &mps_io::Summary) {
-    for (name, metric) in &summary.metrics {
-        let compared = match (&metric.error, &metric.reference_source) {
-            (Some(error), Some(source)) if metric.reference != Some(0.0) => {
-                format!("  ({:+.1} % against {source})", error * 100.0)
-            }
-            _ => String::new(),
-        };
-        println!("{name:36} {:.4e} {}{compared}", metric.value, metric.unit);
-    }
-    println!("results in {}", dir.display());
 }

@@ -1,0 +1,176 @@
+//! From the record of a run to numbers that can be held against the experiment.
+//!
+//! A number whose part of the run has not been reached is `None`.
+
+use crate::observe::Sample;
+use crate::reference::{Band, FRONT};
+use crate::setup::{HEIGHT, LENGTH};
+
+/// `p/(rho g H)` at which the water counts as arrived at a sensor.
+const ARRIVED: f64 = 0.1;
+/// Part of the run in which pressures are compared with the band: from the impact to the returning
+/// wave, over `sqrt(H/g)`.
+pub(crate) const COMPARED: [f64; 2] = [2.4, 6.0];
+/// Between the first impact and that of the returning wave.
+const CALM: [f64; 2] = [3.0, 5.5];
+/// What changes faster than this is noise, over `sqrt(H/g)`.
+const NOISE_WINDOW: f64 = 0.1;
+/// End of the first peak.
+const FIRST_PEAK_ENDS: f64 = 3.0;
+
+/// When the pressure on a sensor first passes [`ARRIVED`], over `sqrt(H/g)`.
+pub(crate) fn arrival(samples: &[Sample], sensor: usize) -> Option<f64> {
+    let after = samples.iter().position(|s| s.pressure[sensor] > ARRIVED)?;
+    let (a, b) = (samples.get(after.checked_sub(1)?)?, &samples[after]);
+    let share = (ARRIVED - a.pressure[sensor]) / (b.pressure[sensor] - a.pressure[sensor]);
+    Some(a.time + share * (b.time - a.time))
+}
+
+/// Largest pressure before the first peak is over, over `rho g H`.
+pub(crate) fn first_peak(samples: &[Sample], sensor: usize) -> Option<f64> {
+    reached(samples, FIRST_PEAK_ENDS)?;
+    let before = samples.iter().take_while(|s| s.time < FIRST_PEAK_ENDS);
+    Some(before.map(|s| s.pressure[sensor]).fold(0.0, f64::max))
+}
+
+/// Share of the time in [`COMPARED`] in which the pressure lies inside the band of the experiments.
+pub(crate) fn band_fraction(samples: &[Sample], sensor: usize, band: &[Band]) -> Option<f64> {
+    reached(samples, COMPARED[1])?;
+    let inside = |s: &Sample| {
+        let [_, low, high] = Band::at(band, s.time)?;
+        Some((low..=high).contains(&s.pressure[sensor]))
+    };
+    let compared: Vec<bool> = between(samples, COMPARED).iter().filter_map(inside).collect();
+    Some(compared.iter().filter(|inside| **inside).count() as f64 / compared.len() as f64)
+}
+
+/// Root mean square of what is faster than [`NOISE_WINDOW`] in the pressure between the impacts, over
+/// `rho g H`: the signal less its moving mean. The noisiest sensor counts.
+pub(crate) fn pressure_noise(samples: &[Sample]) -> Option<f64> {
+    reached(samples, CALM[1] + NOISE_WINDOW)?;
+    (0..4)
+        .map(|sensor| {
+            let calm = between(samples, CALM);
+            let squares = calm.iter().map(|s| {
+                let around = between(samples, [s.time - 0.5 * NOISE_WINDOW, s.time + 0.5 * NOISE_WINDOW]);
+                let mean = around.iter().map(|a| a.pressure[sensor]).sum::<f64>() / around.len() as f64;
+                (s.pressure[sensor] - mean).powi(2)
+            });
+            (squares.sum::<f64>() / calm.len() as f64).sqrt()
+        })
+        .reduce(f64::max)
+}
+
+/// How far the front is from that of the experiment.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FrontError {
+    /// Root mean square of the difference, over the length of the column.
+    pub(crate) rms: f64,
+    /// Mean of the absolute difference over the length of the column: the relative error of paper 1.
+    pub(crate) mean: f64,
+    /// How much later the experiment is on average, over `sqrt(H/g)`.
+    pub(crate) lead: f64,
+}
+
+/// Compares the front with the experiment at all its points, up to the wall. Times are as published,
+/// from the release of the gate on, and not shifted.
+pub(crate) fn front_error(samples: &[Sample]) -> Option<FrontError> {
+    reached(samples, FRONT.last()?.0)?;
+    let (mut squares, mut sum, mut lead) = (0.0, 0.0, 0.0);
+    for &(time, measured) in FRONT {
+        let off = interpolate(samples, time, |s| s.time, |s| s.front)? - measured;
+        squares += off * off;
+        sum += off.abs();
+        lead += time - interpolate(samples, measured, |s| s.front, |s| s.time)?;
+    }
+    let count = FRONT.len() as f64;
+    let column = LENGTH / HEIGHT;
+    Some(FrontError {
+        rms: (squares / count).sqrt() / column,
+        mean: sum / count / column,
+        lead: lead / count,
+    })
+}
+
+/// `Some` if the run has come as far as `time`.
+fn reached(samples: &[Sample], time: f64) -> Option<()> {
+    samples.last().filter(|s| s.time >= time).map(|_| ())
+}
+
+/// The samples of a stretch of time.
+fn between(samples: &[Sample], [from, to]: [f64; 2]) -> &[Sample] {
+    let first = samples.partition_point(|s| s.time < from);
+    let last = samples.partition_point(|s| s.time <= to);
+    &samples[first..last]
+}
+
+/// `y` where `x` first comes to `at`.
+fn interpolate(
+    samples: &[Sample],
+    at: f64,
+    x: impl Fn(&Sample) -> f64,
+    y: impl Fn(&Sample) -> f64,
+) -> Option<f64> {
+    let after = samples.iter().position(|s| x(s) >= at)?;
+    let (a, b) = (&samples[after.saturating_sub(1)], &samples[after]);
+    let share = if x(b) > x(a) { (at - x(a)) / (x(b) - x(a)) } else { 1.0 };
+    Some(y(a) + share * (y(b) - y(a)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reference::SENSORS;
+
+    fn record(pressure: impl Fn(f64) -> f64, front: impl Fn(f64) -> f64) -> Vec<Sample> {
+        (0..3500)
+            .map(|k| 0.002 * f64::from(k))
+            .map(|time| Sample { time, front: front(time), pressure: [pressure(time); 4] })
+            .collect()
+    }
+
+    fn measured_front(time: f64) -> f64 {
+        let after = FRONT.partition_point(|p| p.0 < time).clamp(1, FRONT.len() - 1);
+        let (a, b) = (FRONT[after - 1], FRONT[after]);
+        a.1 + (b.1 - a.1) * (time - a.0) / (b.0 - a.0)
+    }
+
+    #[test]
+    fn the_experiment_agrees_with_itself() {
+        for (sensor, reference) in SENSORS.iter().enumerate() {
+            let median = |t| Band::at(reference.points, t).map_or(0.0, |[median, ..]| median);
+            let run = record(median, measured_front);
+            assert_eq!(band_fraction(&run, sensor, reference.points), Some(1.0));
+            let arrived = arrival(&run, sensor).unwrap();
+            assert!((arrived - reference.arrival).abs() < 0.01, "{sensor}: {arrived}");
+            let error = front_error(&run).unwrap();
+            assert!(error.rms < 1e-3 && error.mean < 1e-3 && error.lead.abs() < 1e-2, "{error:?}");
+        }
+    }
+
+    #[test]
+    fn a_front_that_is_early_by_a_tenth_leads_by_a_tenth() {
+        let run = record(|_| 0.0, |t| measured_front(t + 0.1));
+        let error = front_error(&run).unwrap();
+        assert!((error.lead - 0.1).abs() < 0.02, "{error:?}");
+        assert!(error.rms >= error.mean && (0.05..0.1).contains(&error.mean), "{error:?}");
+    }
+
+    #[test]
+    fn noise_is_what_is_fast() {
+        let slow = record(|t| 0.7 + 0.2 * t.sin(), |_| 0.0);
+        assert!(pressure_noise(&slow).unwrap() < 2e-4);
+        let fast = record(|t| 0.7 + 0.05 * (300.0 * t).sin(), |_| 0.0);
+        let rms = pressure_noise(&fast).unwrap();
+        assert!((rms - 0.05 / 2.0_f64.sqrt()).abs() < 2e-3, "{rms}");
+    }
+
+    #[test]
+    fn what_has_not_been_reached_is_not_claimed() {
+        let run = record(|_| 0.0, |_| 0.0);
+        let short = &run[..500];
+        assert!(arrival(short, 0).is_none() && first_peak(short, 0).is_none());
+        assert!(band_fraction(short, 0, SENSORS[0].points).is_none());
+        assert!(front_error(short).is_none() && pressure_noise(short).is_none());
+    }
+}

@@ -1,0 +1,170 @@
+//! What is watched while the water runs: front, levels, pressures, energies, and every way out.
+
+use crate::outline::{front, levels};
+use crate::sensors::pressures;
+use crate::setup::{DamBreak, HEIGHT, PRESSURE, TANK, TIME};
+use mps_examples::Failure;
+use mps_fluid::FluidEnergy;
+use mps_fluid::surface::Surface;
+use mps_io::CsvWriter;
+use mps_kernel::Real;
+use mps_neighbors::Parallel;
+use std::path::Path;
+
+/// Columns of `probes.csv`.
+const COLUMNS: &[&str] = &[
+    "time [s]",
+    "t sqrt(g/H) [-]",
+    "front x/H [-]",
+    "p1/(rho g H) [-]",
+    "p2/(rho g H) [-]",
+    "p3/(rho g H) [-]",
+    "p4/(rho g H) [-]",
+    "level 1 h/H [-]",
+    "level 2 h/H [-]",
+    "level 3 h/H [-]",
+    "level 4 h/H [-]",
+    "energy [J/m]",
+    "kinetic [J/m]",
+    "potential [J/m]",
+    "compression [J/m]",
+    "time step [s]",
+];
+
+/// One row of the record, without dimension.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sample {
+    /// `t sqrt(g/H)`.
+    pub(crate) time: f64,
+    /// Distance of the front from the gate, `x/H`.
+    pub(crate) front: f64,
+    /// `p/(rho g H)` of each sensor.
+    pub(crate) pressure: [f64; 4],
+}
+
+/// The record of a run.
+pub(crate) struct Observer {
+    csv: CsvWriter,
+    pub(crate) samples: Vec<Sample>,
+    /// Potential energy of the water at the start \[J/m\].
+    energy_scale: f64,
+    first_energy: f64,
+    lowest_energy: f64,
+    /// Largest rise of the total energy above an earlier value, over the energy the water can give.
+    pub(crate) energy_rise: f64,
+    /// Whether each particle, by identity, has ever been outside of the tank.
+    leaked: Vec<bool>,
+    /// Packing inside the water at the start.
+    first_packing: f64,
+    /// Growth of the volume of the water from start to end.
+    pub(crate) volume_drift: Option<f64>,
+}
+
+impl Observer {
+    pub(crate) fn new<T: Real>(
+        dir: &Path,
+        dam: &mut DamBreak<T>,
+        parallel: &Parallel,
+    ) -> Result<Self, Failure> {
+        let energy = dam.fluid().energy(parallel);
+        Ok(Self {
+            csv: CsvWriter::create(dir.join("probes.csv"), COLUMNS)?,
+            samples: Vec::new(),
+            energy_scale: energy.potential.to_double(),
+            first_energy: energy.total().to_double(),
+            lowest_energy: energy.total().to_double(),
+            energy_rise: 0.0,
+            leaked: vec![false; dam.fluid().particles().position.len()],
+            first_packing: inner_packing(dam, parallel)?,
+            volume_drift: None,
+        })
+    }
+
+    /// Called every few steps: energy and leaks, which must not be missed between two rows.
+    pub(crate) fn watch<T: Real>(&mut self, dam: &DamBreak<T>, parallel: &Parallel) {
+        let total = dam.fluid().energy(parallel).total().to_double();
+        self.energy_rise = self.energy_rise.max((total - self.lowest_energy) / self.energy_scale);
+        self.lowest_energy = self.lowest_energy.min(total);
+        let particles = dam.fluid().particles();
+        let out = -0.5 * dam.fluid().config().spacing.to_double();
+        for (r, &id) in particles.position.iter().zip(&particles.id) {
+            let (x, y) = (r[0].to_double(), r[1].to_double());
+            self.leaked[id as usize] |= x < out || y < out || TANK - x < out;
+        }
+    }
+
+    /// Writes a row of `probes.csv`.
+    pub(crate) fn record<T: Real>(
+        &mut self,
+        dam: &DamBreak<T>,
+        parallel: &Parallel,
+        dt: f64,
+    ) -> Result<(), Failure> {
+        let fluid = dam.fluid();
+        let (particles, l0) = (fluid.particles(), fluid.config().spacing.to_double());
+        let seconds = fluid.time().to_double();
+        let sample = Sample {
+            time: seconds / TIME,
+            front: front(&particles.position, l0) / HEIGHT,
+            pressure: pressures(fluid.boundary(), l0).map(|p| p / PRESSURE),
+        };
+        self.samples.push(sample);
+        let [p1, p2, p3, p4] = sample.pressure;
+        let [h1, h2, h3, h4] = levels(&particles.position, l0).map(|h| h / HEIGHT);
+        let energy = fluid.energy(parallel);
+        let FluidEnergy { kinetic, potential, compression } = energy;
+        let [total, kinetic, potential, compression] =
+            [energy.total(), kinetic, potential, compression].map(|e| e.to_double());
+        self.csv.row(&[
+            seconds,
+            sample.time,
+            sample.front,
+            p1,
+            p2,
+            p3,
+            p4,
+            h1,
+            h2,
+            h3,
+            h4,
+            total,
+            kinetic,
+            potential,
+            compression,
+            dt,
+        ])?;
+        Ok(())
+    }
+
+    /// Called at the end of a completed run.
+    pub(crate) fn finish<T: Real>(
+        &mut self,
+        dam: &mut DamBreak<T>,
+        parallel: &Parallel,
+    ) -> Result<(), Failure> {
+        self.volume_drift = Some(self.first_packing / inner_packing(dam, parallel)? - 1.0);
+        Ok(())
+    }
+
+    /// Particles that have been outside of the tank.
+    pub(crate) fn leaked(&self) -> usize {
+        self.leaked.iter().filter(|leaked| **leaked).count()
+    }
+
+    /// Energy lost since the start over the energy the water can give.
+    pub(crate) fn dissipated(&self) -> f64 {
+        (self.first_energy - self.lowest_energy) / self.energy_scale
+    }
+}
+
+/// Median of the packing (sum of weights over that of the lattice) of the particles that are not at the
+/// surface. A volume that grows shows as a packing that falls.
+fn inner_packing<T: Real>(dam: &mut DamBreak<T>, parallel: &Parallel) -> Result<f64, Failure> {
+    let mut surface = Vec::new();
+    dam.fluid_mut().classify_surface(parallel, &mut surface)?;
+    let packing = dam.fluid().packing().iter().zip(&surface);
+    let mut inner: Vec<f64> =
+        packing.filter(|(_, s)| **s == Surface::Inner).map(|(p, _)| p.to_double()).collect();
+    inner.sort_unstable_by(f64::total_cmp);
+    Ok(inner.get(inner.len() / 2).copied().unwrap_or(1.0))
+}

@@ -1,0 +1,135 @@
+//! The command line of the program, and the settings it stands for.
+
+use crate::setup::{HEIGHT, Release, Settings};
+use clap::Parser;
+use mps_examples::{Common, Refused};
+use mps_fluid::Tension;
+
+/// Dam break onto a dry bed and against a wall (Lobovsky et al. 2014; case 2 of the paper).
+///
+/// A column of water 0.6 m high and 1.2 m long is let go in a tank 3.22 m long. Writes probes.csv, front.png,
+/// a plot of each pressure sensor against the experiment, summary.json, and unless told otherwise fields for
+/// ParaView, snapshots and a film.
+#[derive(Parser, Clone, Debug)]
+#[command(version, rename_all = "kebab-case", allow_negative_numbers = true)]
+pub(crate) struct Options {
+    /// Spacing of the particles (m)
+    #[arg(long, value_name = "M", default_value_t = 5e-3)]
+    pub(crate) spacing: f64,
+    /// Simulated time (s); the unit of the plots, sqrt(H/g), is 0.247 s
+    #[arg(long, value_name = "S", default_value_t = 1.75)]
+    pub(crate) end_time: f64,
+    /// How the column is let go
+    #[arg(long, value_enum, default_value_t = Release::Instant)]
+    pub(crate) release: Release,
+    /// Numerical sound speed over the speed of free fall from the surface
+    #[arg(long, value_name = "RATIO", default_value_t = 10.0)]
+    pub(crate) sound_ratio: f64,
+    /// Courant number
+    #[arg(long, value_name = "C", default_value_t = 0.5)]
+    pub(crate) cfl: f64,
+    /// Strength of the density diffusion; 0 switches it off
+    #[arg(long, value_name = "DELTA", default_value_t = 0.5)]
+    pub(crate) diffusion: f64,
+    /// Strength of the artificial viscosity
+    #[arg(long, value_name = "ALPHA", default_value_t = 0.02)]
+    pub(crate) alpha: f64,
+    /// Keep pressures below zero instead of cutting them off
+    #[arg(long)]
+    pub(crate) keep_tension: bool,
+    /// No collisions between close particles
+    #[arg(long)]
+    pub(crate) no_dpc: bool,
+    /// Shift the particles towards an even distribution, in K parts a step (the paper has 5); 0 does not
+    #[arg(long, value_name = "K", default_value_t = 0)]
+    pub(crate) shifting: u32,
+    #[command(flatten)]
+    pub(crate) common: Common,
+}
+
+impl Options {
+    /// Refuses what cannot be run, before anything is built.
+    pub(crate) fn settings(&self) -> Result<Settings, Refused> {
+        let positive = |x: f64| x.is_finite() && x > 0.0;
+        let l0 = self.spacing;
+        Refused::unless(
+            positive(l0),
+            "--spacing",
+            l0,
+            "give the distance between particles in metres, e.g. 5e-3",
+        )?;
+        let high_enough = format!(
+            "the column would be {:.1} particles high and needs at least 20; give at most {:e} m",
+            HEIGHT / l0,
+            HEIGHT / 20.0
+        );
+        Refused::unless(HEIGHT / l0 >= 20.0 - 1e-9, "--spacing", l0, high_enough)?;
+        Refused::unless(
+            l0 >= 4e-4,
+            "--spacing",
+            l0,
+            "more than four million particles would be needed; give at least 4e-4 m",
+        )?;
+        Refused::unless(
+            positive(self.end_time),
+            "--end-time",
+            self.end_time,
+            "give the simulated time in seconds, e.g. 1.75",
+        )?;
+        Refused::unless(
+            self.end_time <= 60.0,
+            "--end-time",
+            self.end_time,
+            "the water has come to rest before; give at most 60 s",
+        )?;
+        Refused::unless(
+            self.sound_ratio.is_finite() && (1.0..=1000.0).contains(&self.sound_ratio),
+            "--sound-ratio",
+            self.sound_ratio,
+            "the numerical sound must be faster than the water and not so fast that steps vanish; usual is 10",
+        )?;
+        Refused::unless(
+            positive(self.cfl) && self.cfl <= 2.0,
+            "--cfl",
+            self.cfl,
+            "give a Courant number between 0 and 2, e.g. 0.5",
+        )?;
+        Refused::unless(
+            (0.0..=2.0).contains(&self.diffusion),
+            "--diffusion",
+            self.diffusion,
+            "give a strength between 0 and 2, e.g. 0.5",
+        )?;
+        Refused::unless(
+            (0.0..=10.0).contains(&self.alpha),
+            "--alpha",
+            self.alpha,
+            "give a strength between 0 and 10, e.g. 0.02",
+        )?;
+        Refused::unless(
+            self.shifting <= 100,
+            "--shifting",
+            self.shifting,
+            "each part costs a sweep over all particles; give at most 100, usual is 5",
+        )?;
+        let threads = self.common.threads.unwrap_or(1);
+        Refused::unless(
+            (1..=1024).contains(&threads),
+            "--threads",
+            threads,
+            "give at least 1 and at most 1024, or leave it out to use all cores",
+        )?;
+        Ok(Settings {
+            spacing: l0,
+            end_time: self.end_time,
+            release: self.release,
+            sound_ratio: self.sound_ratio,
+            cfl: self.cfl,
+            diffusion: self.diffusion,
+            alpha: self.alpha,
+            tension: if self.keep_tension { Tension::Keep } else { Tension::Clip },
+            collisions: !self.no_dpc,
+            shifting: self.shifting,
+        })
+    }
+}

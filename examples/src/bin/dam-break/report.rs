@@ -1,0 +1,130 @@
+//! The plots against the experiment and summary.json.
+
+use crate::metrics::{arrival, band_fraction, first_peak, front_error, pressure_noise};
+use crate::observe::Observer;
+use crate::options::Options;
+use crate::reference::{FRONT, SENSORS, SOURCE};
+use crate::sensors::HEIGHTS;
+use crate::setup::{DamBreak, HEIGHT, LENGTH, Release, Settings, TANK, TIME, sound_speed};
+use mps_examples::Failure;
+use mps_io::{CurvePlot, Metric, Summary};
+use mps_kernel::Real;
+use std::path::Path;
+
+/// The front, and each sensor with the scatter of the experiments.
+pub(crate) fn plot(dir: &Path, options: &Options, observer: &Observer) -> Result<(), Failure> {
+    let end = options.end_time / TIME;
+    let time: Vec<f64> = observer.samples.iter().map(|s| s.time).collect();
+    let front: Vec<f64> = observer.samples.iter().map(|s| s.front).collect();
+    let (t, x): (Vec<f64>, Vec<f64>) = FRONT.iter().copied().unzip();
+    let spacing = options.spacing * 1e3;
+    let wall = (TANK - LENGTH) / HEIGHT;
+    CurvePlot::new(&format!("Front of the dam break, l₀ = {spacing} mm"), "t √(g/H) [–]", "x/H [–]")
+        .line("this run", &time, &front)
+        .points(SOURCE, &t, &x)
+        .dashed("wall", &[0.0, 3.0], &[wall; 2])
+        .x_range(0.0, end.clamp(0.1, 3.0))
+        .y_range(0.0, 3.6)
+        .write_png(dir.join("front.png"))?;
+
+    for (k, (sensor, height)) in SENSORS.iter().zip(HEIGHTS).enumerate() {
+        let pressure: Vec<f64> = observer.samples.iter().map(|s| s.pressure[k]).collect();
+        let column = |c: usize| sensor.points.iter().map(|p| p.0[c]).collect::<Vec<_>>();
+        let title = format!("Pressure at sensor {}, z = {:.0} mm, l₀ = {spacing} mm", k + 1, height * 1e3);
+        CurvePlot::new(&title, "t √(g/H) [–]", "p/(ρ g H) [–]")
+            .band("experiment, 2.5 % to 97.5 % of the runs", &column(0), &column(2), &column(3))
+            .line("this run", &time, &pressure)
+            .dashed("experiment, median", &column(0), &column(1))
+            // Into the view comes what the experiment covers; a short run shows what it has.
+            .x_range(if end > 2.5 { 2.0 } else { 0.0 }, end.clamp(0.1, 7.05))
+            .y_range(0.0, if k == 0 { 4.0 } else { 2.5 })
+            .write_png(dir.join(format!("pressure_{}.png", k + 1)))?;
+    }
+    Ok(())
+}
+
+/// Settings, cost and results, whether the run was completed or not.
+pub(crate) fn summary<T: Real>(
+    options: &Options,
+    settings: &Settings,
+    dam: &DamBreak<T>,
+    observer: &Observer,
+    threads: usize,
+    stepping_seconds: f64,
+    failure: Option<&Failure>,
+) -> Summary {
+    let mut summary = Summary::new("dam-break", env!("CARGO_PKG_VERSION"));
+    let fluid = dam.fluid();
+    summary.set("spacing_m", settings.spacing);
+    summary.set("end_time_s", settings.end_time);
+    let release = match settings.release {
+        Release::Instant => "instant",
+        Release::Lifted => "lifted",
+    };
+    summary.set("release", release);
+    summary.set("sound_speed_m_s", sound_speed(settings));
+    summary.set("cfl", settings.cfl);
+    summary.set("density_diffusion", settings.diffusion);
+    summary.set("artificial_viscosity", settings.alpha);
+    summary.set("keep_tension", options.keep_tension);
+    summary.set("collisions", settings.collisions);
+    summary.set("shifting_iterations", settings.shifting);
+    summary.set("radius_ratio", fluid.config().radius_ratio.to_double());
+    summary.threads = threads;
+    summary.precision = options.common.precision.name().to_owned();
+
+    let particles = fluid.particles().position.len();
+    summary.particles.insert("fluid".into(), particles as u64);
+    summary.particles.insert("wall".into(), fluid.boundary().len() as u64);
+    summary.measure(fluid.steps(), stepping_seconds, fluid.time().to_double());
+    summary.particle_steps_per_second = particles as f64 * fluid.steps() as f64 / stepping_seconds;
+    if let Some(failure) = failure {
+        summary.status = failure.to_string();
+    }
+    let (wall, speed) = (summary.wall_seconds_per_simulated_second, summary.particle_steps_per_second);
+    let mut results = results(observer);
+    results.push(("wall_seconds_per_simulated_second".into(), Some(Metric::new(wall, "-"))));
+    results.push(("particle_steps_per_second".into(), Some(Metric::new(speed, "1/s"))));
+    for (name, metric) in results {
+        match metric {
+            Some(metric) => drop(summary.metrics.insert(name, metric)),
+            None => summary.notes.push(format!("{name}: the run ended before")),
+        }
+    }
+    summary
+}
+
+/// Results by name; `None` where the run has not come so far.
+fn results(observer: &Observer) -> Vec<(String, Option<Metric>)> {
+    let samples = &observer.samples;
+    let plain = |value: f64| Metric::new(value, "-");
+    let ideal = |value: f64, source: &str| plain(value).compared_with(0.0, source);
+    let mut results = vec![
+        (
+            "arrival_sensor1".to_owned(),
+            arrival(samples, 0).map(|t| plain(t).compared_with(SENSORS[0].arrival, SOURCE)),
+        ),
+        (
+            "peak_sensor1".to_owned(),
+            first_peak(samples, 0).map(|p| plain(p).compared_with(SENSORS[0].peak, SOURCE)),
+        ),
+    ];
+    for (k, sensor) in SENSORS.iter().enumerate() {
+        let inside = band_fraction(samples, k, sensor.points);
+        results.push((
+            format!("band_fraction_sensor{}", k + 1),
+            inside.map(|share| plain(share).compared_with(1.0, SOURCE)),
+        ));
+    }
+    let front = front_error(samples);
+    let mut put = |name: &str, metric: Option<Metric>| results.push((name.to_owned(), metric));
+    put("front_rms", front.map(|f| ideal(f.rms, SOURCE)));
+    put("front_error_paper1", front.map(|f| ideal(f.mean, SOURCE)));
+    put("front_lead", front.map(|f| ideal(f.lead, SOURCE)));
+    put("pressure_noise", pressure_noise(samples).map(|rms| ideal(rms, "no noise")));
+    put("energy_closure", Some(ideal(observer.energy_rise, "total energy never rises")));
+    put("energy_dissipated", Some(plain(observer.dissipated())));
+    put("volume_drift", observer.volume_drift.map(|drift| ideal(drift, "the volume is kept")));
+    put("leaked_particles", Some(ideal(observer.leaked() as f64, "no leak")));
+    results
+}

@@ -1,0 +1,32 @@
+//! The whole dam break at 30 particles over the height of the column, against the experiment. Half a
+//! minute long, hence only on request: `cargo test -p mps-examples --test dam_break_coarse -- --ignored`.
+
+use mps_io::Summary;
+use std::path::Path;
+use std::process::Command;
+
+#[test]
+#[ignore = "takes half a minute"]
+fn a_coarse_dam_break_arrives_on_time_and_keeps_its_books() {
+    let dir = Path::new(env!("CARGO_TARGET_TMPDIR")).join("dam-break-coarse");
+    let _ = std::fs::remove_dir_all(&dir);
+    let status = Command::new(env!("CARGO_BIN_EXE_dam-break"))
+        .args(["--spacing", "0.02", "--no-fields", "--quiet", "--out"])
+        .arg(&dir)
+        .status()
+        .unwrap();
+    assert!(status.success());
+
+    let summary = Summary::read(dir.join("summary.json")).unwrap();
+    assert_eq!(summary.status, "completed");
+    let value = |name: &str| summary.metrics[name].value;
+    let late = summary.metrics["arrival_sensor1"].error.unwrap();
+    assert!(late.abs() < 0.03, "the water arrives {:+.1} % of the time late", late * 100.0);
+    let front = value("front_rms");
+    assert!(front < 0.06, "the front is off by {front} of the length of the column");
+    assert_eq!(value("leaked_particles"), 0.0);
+    let rise = value("energy_closure");
+    assert!(rise <= 1e-9, "the total energy has risen by {rise:e} of what the water can give");
+    let drift = value("volume_drift");
+    assert!(drift.abs() < 0.02, "the volume has changed by {drift}");
+}
