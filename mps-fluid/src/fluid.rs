@@ -180,6 +180,20 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         self.stable_step(parallel)
     }
 
+    /// Adds to the accelerations found by [`begin_step`](Fluid::begin_step) one that depends on the
+    /// place \[m/s^2\]: a central force, a field that changes with time. Belongs between the halves of a step.
+    ///
+    /// The walls do not know of it: what they show follows the gravity of the parameters. Hence for fluid
+    /// away from walls, or for fields along them. The time step has been chosen without it.
+    pub fn add_acceleration(
+        &mut self,
+        parallel: &Parallel,
+        field: impl Fn(&Vector<T, D>) -> Vector<T, D> + Sync,
+    ) {
+        let position = &self.particles.position;
+        parallel.update(self.rates.acceleration.as_mut_slice(), |i, a| *a += field(&position[i]));
+    }
+
     /// Moves the fluid by `dt` \[s\] under the accelerations found by
     /// [`begin_step`](Fluid::begin_step): velocity, then density with the *new* velocity, then
     /// position. (Rates of velocity and density from the same old state are unstable.)
