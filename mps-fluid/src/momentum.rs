@@ -15,14 +15,16 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// that follows, the corrected gradient of n (eqs. 21, 22): all from the same visit of the
     /// neighbours, because positions and densities are those of the start of the step.
     pub(crate) fn sweep_momentum(&mut self, parallel: &Parallel) {
-        if self.config.diffusion > T::zero() {
-            self.sweep_momentum_with::<true>(parallel);
-        } else {
-            self.sweep_momentum_with::<false>(parallel);
+        let corrected = !self.rates.pressure_correction.is_empty();
+        match (self.config.diffusion > T::zero(), corrected) {
+            (true, false) => self.sweep_momentum_with::<true, false>(parallel),
+            (false, false) => self.sweep_momentum_with::<false, false>(parallel),
+            (true, true) => self.sweep_momentum_with::<true, true>(parallel),
+            (false, true) => self.sweep_momentum_with::<false, true>(parallel),
         }
     }
 
-    fn sweep_momentum_with<const DIFFUSION: bool>(&mut self, parallel: &Parallel) {
+    fn sweep_momentum_with<const DIFFUSION: bool, const CORRECTED: bool>(&mut self, parallel: &Parallel) {
         let mut acceleration = core::mem::take(&mut self.rates.acceleration);
         let mut flow = core::mem::take(&mut self.rates.flow);
         let neighbors = self.view(&self.search.fluid);
@@ -30,6 +32,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let wall = self.wall_pair();
         let (boundary, viscosity) = (&self.boundary, self.viscosity);
         let state = &self.rates.state;
+        let correction = &self.rates.pressure_correction;
         let factor = self.reference.gradient_factor::<D>();
         let pressure_factor = -factor / self.config.density;
         let gravity = self.config.gravity;
@@ -43,15 +46,21 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             let mut moment = Tensor::<T, D>::zeros();
             neighbors.for_each(i, |pair| {
                 let other = &state[pair.j];
-                let pij = ConservativeGradient::pair_pressure(
-                    pi,
-                    ni,
-                    inverse_ni,
-                    other.pressure,
-                    other.density,
-                    other.inverse_density,
-                );
-                total += pair.gradient_vector() * (pij * pressure_factor);
+                if CORRECTED {
+                    let vector = pair.gradient_vector() * pressure_factor;
+                    total += correction[i] * (vector * (other.density * inverse_ni * pi))
+                        + correction[pair.j] * (vector * (ni * other.inverse_density * other.pressure));
+                } else {
+                    let pij = ConservativeGradient::pair_pressure(
+                        pi,
+                        ni,
+                        inverse_ni,
+                        other.pressure,
+                        other.density,
+                        other.inverse_density,
+                    );
+                    total += pair.gradient_vector() * (pij * pressure_factor);
+                }
                 total += viscosity.pair(pair, &ui, &other.velocity);
                 if DIFFUSION {
                     slope += Gradient::pair(ni, other.density, pair);
@@ -61,7 +70,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             if has_walls {
                 walls.for_each(i, |pair| {
                     let a = pair.j;
-                    total += wall.pressure_sum(&own, boundary, pair) * pressure_factor;
+                    let pressure = wall.pressure_sum(&own, boundary, pair) * pressure_factor;
+                    total += if CORRECTED { correction[i] * pressure } else { pressure };
                     if boundary.shear[a] > T::zero() {
                         let share = boundary.shear[a] * boundary.volume[a];
                         total += viscosity.pair(pair, &ui, &boundary.velocity[a]) * share;
@@ -108,7 +118,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             let own = &state[pair.j];
             // The same pair, seen from the fluid particle.
             let seen = mps_kernel::Pair { j: a, r_ij: -pair.r_ij, ..*pair };
-            let pressure = wall.pressure_sum(own, boundary, &seen);
+            let pressure = self.corrected(pair.j, wall.pressure_sum(own, boundary, &seen));
             let shear = self.viscosity.pair(&seen, &own.velocity, &boundary.velocity[a])
                 * (boundary.shear[a] * boundary.volume[a]);
             sum += pressure * pressure_factor - shear;
@@ -136,7 +146,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                 walls.for_each(i, |pair| {
                     let a = pair.j;
                     if reactive.contains(&a) {
-                        let pressure = wall.pressure_sum(own, &self.boundary, pair);
+                        let pressure = self.corrected(i, wall.pressure_sum(own, &self.boundary, pair));
                         let shear = self.viscosity.pair(pair, &own.velocity, &self.boundary.velocity[a]);
                         sum += pressure * pressure_factor;
                         sum += shear * (self.boundary.shear[a] * self.boundary.volume[a]);
