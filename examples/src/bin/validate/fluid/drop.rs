@@ -1,10 +1,10 @@
 //! A drop in a central field that swings between a disc and ellipses.
 
 use super::measures::{angular_momentum, angular_size, zeros};
-use super::scene::{RHO, Water, advance_in_central_field, lattice, press};
+use super::scene::{RHO, Water, advance_in_central_field, lattice, press, water};
 use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
 use mps_examples::Failure;
-use mps_fluid::{Boundary, Fluid, FluidConfig, FluidParticles};
+use mps_fluid::{Boundary, Fluid, FluidParticles};
 use mps_io::CurvePlot;
 use mps_kernel::Vector;
 use mps_kernel::weights::Rational;
@@ -76,7 +76,7 @@ fn strain(particles: &FluidParticles<f64, 2>) -> f64 {
 }
 
 fn build(per_radius: usize) -> Result<Water<2>, Failure> {
-    let config = FluidConfig::water(RADIUS / per_radius as f64, 15.0 * OMEGA * RADIUS);
+    let config = water(RADIUS / per_radius as f64, 15.0 * OMEGA * RADIUS);
     let mut particles = disc(per_radius);
     for (u, r) in particles.velocity.iter_mut().zip(&particles.position) {
         *u = Vector::from([STRAIN * r.x, -STRAIN * r.y]);

@@ -2,11 +2,11 @@
 
 use super::drop::{RADIUS, disc};
 use super::measures::angular_momentum;
-use super::scene::{RHO, Water, advance_in_central_field, press};
+use super::scene::{RHO, Water, advance_in_central_field, press, water};
 use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
 use core::f64::consts::PI;
 use mps_examples::Failure;
-use mps_fluid::{ArtificialViscosity, Boundary, Fluid, FluidConfig};
+use mps_fluid::{ArtificialViscosity, Boundary, Fluid};
 use mps_io::CurvePlot;
 use mps_kernel::Vector;
 use mps_kernel::weights::Rational;
@@ -21,7 +21,7 @@ const OMEGA: f64 = 1.5;
 const RIGID: &str = "analytic: rigid rotation, p = rho (omega^2 - w^2)(R^2 - r^2)/2";
 
 fn build(per_radius: usize) -> Result<Water<2, ArtificialViscosity<f64>>, Failure> {
-    let config = FluidConfig::water(RADIUS / per_radius as f64, 15.0 * OMEGA * RADIUS);
+    let config = water(RADIUS / per_radius as f64, 15.0 * OMEGA * RADIUS);
     let mut particles = disc(per_radius);
     for (u, r) in particles.velocity.iter_mut().zip(&particles.position) {
         *u = Vector::from([-TURN * r.y, TURN * r.x]);

@@ -2,8 +2,8 @@
 
 use mps_examples::Failure;
 use mps_fluid::{
-    Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, LaminarViscosity, Slip, Tait, Tension,
-    Viscosity,
+    Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, LaminarViscosity, PressureForm, Slip,
+    Tait, Tension, Viscosity,
 };
 use mps_kernel::weights::Rational;
 use mps_kernel::{ReferenceDensity, Vector};
@@ -73,9 +73,17 @@ pub(crate) fn tank<const D: usize, V: Viscosity<f64, D>>(
     Ok(Fluid::new(config, Rational, viscosity, Open, particles, boundary)?)
 }
 
+/// Water as all cases have it: corrected pressure, no collisions, which would act as a strong viscosity.
+pub(crate) fn water<const D: usize>(l0: f64, sound_speed: f64) -> FluidConfig<f64, D> {
+    let mut config = FluidConfig::water(l0, sound_speed);
+    config.pressure_form = PressureForm::Corrected;
+    config.collisions = None;
+    config
+}
+
 /// Water under gravity with a sound speed of ten times `sqrt(g H)`.
 pub(crate) fn heavy_water<const D: usize>(l0: f64, depth: f64) -> FluidConfig<f64, D> {
-    let mut config = FluidConfig::water(l0, 10.0 * (GRAVITY * depth).sqrt());
+    let mut config = water(l0, 10.0 * (GRAVITY * depth).sqrt());
     config.gravity[D - 1] = -GRAVITY;
     config
 }
@@ -94,7 +102,7 @@ pub(crate) fn channel(
 ) -> Result<Water<2, LaminarViscosity<f64>, PeriodicBox<f64, 2>>, Failure> {
     let columns = 10;
     let l0 = WIDTH / across as f64;
-    let mut config = FluidConfig::water(l0, 10.0);
+    let mut config = water(l0, 10.0);
     config.tension = Tension::Keep;
     config.gravity[0] = push;
     let particles = FluidParticles::at_rest(lattice([0.0; 2], [columns, across], l0));

@@ -1,10 +1,10 @@
 //! A closed tank accelerated sideways: the pressure tilts.
 
 use super::measures::slope;
-use super::scene::{GRAVITY, RHO, Water, lattice, walls};
+use super::scene::{GRAVITY, RHO, Water, lattice, walls, water};
 use crate::case::{Case, Measure, Outcome, Pace};
 use mps_examples::Failure;
-use mps_fluid::{ArtificialViscosity, Boundary, Fluid, FluidConfig, FluidParticles, Slip, Tension};
+use mps_fluid::{ArtificialViscosity, Boundary, Fluid, FluidParticles, Slip, Tension};
 use mps_kernel::Vector;
 use mps_kernel::weights::Rational;
 use mps_neighbors::{Open, Parallel};
@@ -19,7 +19,7 @@ const TILTED: &str = "analytic: grad p = rho (g - a)";
 
 fn build(n: usize) -> Result<Water<2, ArtificialViscosity<f64>>, Failure> {
     let l0 = SIDE / n as f64;
-    let mut config = FluidConfig::water(l0, 10.0 * (GRAVITY * SIDE).sqrt());
+    let mut config = water(l0, 10.0 * (GRAVITY * SIDE).sqrt());
     config.gravity[1] = -GRAVITY;
     config.tension = Tension::Keep;
     let mut particles = FluidParticles::at_rest(lattice([0.0; 2], [n, n], l0));

@@ -1,11 +1,11 @@
 //! The decaying vortices of Taylor and Green.
 
 use super::measures::{decay_rate, rms};
-use super::scene::{RHO, Water, advance, lattice, press};
+use super::scene::{RHO, Water, advance, lattice, press, water};
 use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
 use core::f64::consts::PI;
 use mps_examples::Failure;
-use mps_fluid::{Boundary, Fluid, FluidConfig, FluidParticles, LaminarViscosity, Shifting, Tension};
+use mps_fluid::{Boundary, Fluid, FluidParticles, LaminarViscosity, Shifting, Tension};
 use mps_io::CurvePlot;
 use mps_kernel::Vector;
 use mps_kernel::weights::Rational;
@@ -37,7 +37,7 @@ fn rate() -> f64 {
 
 fn build(n: usize) -> Result<Vortices, Failure> {
     let l0 = 1.0 / n as f64;
-    let mut config = FluidConfig::water(l0, 10.0);
+    let mut config = water(l0, 10.0);
     config.tension = Tension::Keep;
     config.shifting = Some(Shifting::default());
     let mut particles = FluidParticles::at_rest(lattice([0.0; 2], [n, n], l0));
