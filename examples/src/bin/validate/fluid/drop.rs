@@ -7,7 +7,7 @@ use mps_examples::Failure;
 use mps_fluid::{Boundary, Fluid, FluidParticles};
 use mps_io::CurvePlot;
 use mps_kernel::Vector;
-use mps_kernel::weights::Rational;
+use mps_kernel::weights::WendlandC2;
 use mps_neighbors::{Open, Parallel};
 
 pub(crate) struct Drop;
@@ -84,7 +84,7 @@ fn build(per_radius: usize) -> Result<Water<2>, Failure> {
     // At the start, a = b: s' = 0, and p = rho (s^2 + omega^2)(R^2 - r^2)/2.
     let centre = 0.5 * RHO * (STRAIN * STRAIN + OMEGA * OMEGA);
     press(&mut particles, &config, |r| centre * (RADIUS * RADIUS - r.norm_squared()));
-    Ok(Fluid::new(config, Rational, |_| (), Open, particles, Boundary::default())?)
+    Ok(Fluid::new(config, WendlandC2, |_| (), Open, particles, Boundary::default())?)
 }
 
 /// Kinetic energy and that in the field \[J\].

@@ -9,7 +9,7 @@ use mps_examples::Failure;
 use mps_fluid::{ArtificialViscosity, Boundary, Fluid};
 use mps_io::CurvePlot;
 use mps_kernel::Vector;
-use mps_kernel::weights::Rational;
+use mps_kernel::weights::WendlandC2;
 use mps_neighbors::{Open, Parallel};
 
 pub(crate) struct Rotation;
@@ -30,7 +30,7 @@ fn build(per_radius: usize) -> Result<Water<2, ArtificialViscosity<f64>>, Failur
     press(&mut particles, &config, |r| centre * (RADIUS * RADIUS - r.norm_squared()));
     let c = config.sound_speed;
     let viscosity = |r: &_| ArtificialViscosity::new::<2>(0.02, c, r);
-    Ok(Fluid::new(config, Rational, viscosity, Open, particles, Boundary::default())?)
+    Ok(Fluid::new(config, WendlandC2, viscosity, Open, particles, Boundary::default())?)
 }
 
 impl Case for Rotation {

@@ -5,7 +5,7 @@ use mps_fluid::{
     Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, LaminarViscosity, PressureForm, Slip,
     Tait, Tension, Viscosity,
 };
-use mps_kernel::weights::Rational;
+use mps_kernel::weights::WendlandC2;
 use mps_kernel::{ReferenceDensity, Vector};
 use mps_neighbors::{Domain, Open, Parallel, PeriodicBox};
 
@@ -16,8 +16,10 @@ pub(crate) const RHO: f64 = 1000.0;
 /// Layers of points of a wall: as deep as the effective radius.
 const LAYERS: usize = 3;
 
-/// A fluid of any case: double precision, the weight of the paper.
-pub(crate) type Water<const D: usize, V = (), P = Open> = Fluid<f64, D, Rational, V, P>;
+/// A fluid of any case. With the weight of Wendland the operators mean the same on a lattice and among
+/// stirred particles: `sum W r^2`, the measure of the viscosity, is 0.2 % larger there. With the rational weight
+/// and the same radius it is 4.5 % larger, and no resolution takes that away.
+pub(crate) type Water<const D: usize, V = (), P = Open> = Fluid<f64, D, WendlandC2, V, P>;
 
 /// Centres of `counts` cells of a lattice from `corner` on.
 pub(crate) fn lattice<const D: usize>(corner: [f64; D], counts: [usize; D], l0: f64) -> Vec<Vector<f64, D>> {
@@ -70,7 +72,7 @@ pub(crate) fn tank<const D: usize, V: Viscosity<f64, D>>(
     press(&mut particles, &config, |r| weight * (depth - r[D - 1]));
     let mut boundary = Boundary::default();
     boundary.add_wall(&walls(counts, Some(counts[D - 1] / 2), l0), Slip::Free);
-    Ok(Fluid::new(config, Rational, viscosity, Open, particles, boundary)?)
+    Ok(Fluid::new(config, WendlandC2, viscosity, Open, particles, boundary)?)
 }
 
 /// Water as all cases have it: corrected pressure, no collisions, which would act as a strong viscosity.
@@ -113,7 +115,7 @@ pub(crate) fn channel(
     }
     let domain = PeriodicBox::new(Vector::zeros(), [Some(columns as f64 * l0), None])?;
     let viscosity = |r: &_| LaminarViscosity::new::<2>(NU, r);
-    Ok(Fluid::new(config, Rational, viscosity, domain, particles, boundary)?)
+    Ok(Fluid::new(config, WendlandC2, viscosity, domain, particles, boundary)?)
 }
 
 /// Steps to `end` \[s\] and looks before every step and at the end.

@@ -8,7 +8,7 @@ use mps_examples::Failure;
 use mps_fluid::{Boundary, Fluid, FluidParticles, LaminarViscosity, Shifting, Tension};
 use mps_io::CurvePlot;
 use mps_kernel::Vector;
-use mps_kernel::weights::Rational;
+use mps_kernel::weights::WendlandC2;
 use mps_neighbors::{Parallel, PeriodicBox};
 
 pub(crate) struct TaylorGreen;
@@ -47,7 +47,7 @@ fn build(n: usize) -> Result<Vortices, Failure> {
     press(&mut particles, &config, |r| RHO * pressure(r));
     let domain = PeriodicBox::new(Vector::zeros(), [Some(1.0); 2])?;
     let viscosity = |r: &_| LaminarViscosity::new::<2>(1.0 / RE, r);
-    Ok(Fluid::new(config, Rational, viscosity, domain, particles, Boundary::default())?)
+    Ok(Fluid::new(config, WendlandC2, viscosity, domain, particles, Boundary::default())?)
 }
 
 impl Case for TaylorGreen {
