@@ -6,7 +6,7 @@ use crate::case::{Case, Measure, Outcome, Pace};
 use mps_examples::Failure;
 use mps_fluid::{ArtificialViscosity, Boundary, Fluid, FluidParticles, Slip, Tension};
 use mps_kernel::Vector;
-use mps_kernel::weights::WendlandC2;
+use mps_kernel::weights::Rational;
 use mps_neighbors::{Open, Parallel};
 
 pub(crate) struct Sideways;
@@ -31,7 +31,7 @@ fn build(n: usize) -> Result<Water<2, ArtificialViscosity<f64>>, Failure> {
     boundary.acceleration.fill(Vector::from([ACCELERATION, 0.0]));
     let c = config.sound_speed;
     let viscosity = |r: &_| ArtificialViscosity::new::<2>(0.5, c, r);
-    Ok(Fluid::new(config, WendlandC2, viscosity, Open, particles, boundary)?)
+    Ok(Fluid::new(config, Rational, viscosity, Open, particles, boundary)?)
 }
 
 impl Case for Sideways {

@@ -1,7 +1,7 @@
 //! The decaying vortices of Taylor and Green.
 
 use super::measures::{decay_rate, rms};
-use super::scene::{RHO, Water, advance, lattice, press, water};
+use super::scene::{InnerWater, RHO, advance, lattice, press, water};
 use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
 use core::f64::consts::PI;
 use mps_examples::Failure;
@@ -18,8 +18,6 @@ const RE: f64 = 100.0;
 const K: f64 = 2.0 * PI;
 const LAW: &str = "analytic: velocity decays with exp(-8 pi^2 U t/(Re L))";
 
-type Vortices = Water<2, LaminarViscosity<f64>, PeriodicBox<f64, 2>>;
-
 /// Velocity at the start, over U.
 fn velocity(r: &Vector<f64, 2>) -> Vector<f64, 2> {
     Vector::from([-(K * r.x).cos() * (K * r.y).sin(), (K * r.x).sin() * (K * r.y).cos()])
@@ -35,11 +33,12 @@ fn rate() -> f64 {
     2.0 * K * K / RE
 }
 
-fn build(n: usize) -> Result<Vortices, Failure> {
+fn build(n: usize) -> Result<InnerWater, Failure> {
     let l0 = 1.0 / n as f64;
     let mut config = water(l0, 10.0);
     config.tension = Tension::Keep;
-    config.shifting = Some(Shifting::default());
+    // Stirred all the time: with the default of 2 some runs tear under tension.
+    config.shifting = Some(Shifting { strength: 10.0, ..Shifting::default() });
     let mut particles = FluidParticles::at_rest(lattice([0.0; 2], [n, n], l0));
     for (u, r) in particles.velocity.iter_mut().zip(&particles.position) {
         *u = velocity(r);
@@ -56,7 +55,7 @@ impl Case for TaylorGreen {
     }
 
     fn about(&self) -> &'static str {
-        "Four vortices in a doubly periodic square at Re = U L/nu = 100, from an upright lattice. c = 10 U, tension kept, shifting on. \
+        "Four vortices in a doubly periodic square at Re = U L/nu = 100, from an upright lattice. c = 10 U, tension kept, shifting with strength 10. \
          The decay rate is that of the root of the kinetic energy, by least squares over the whole time."
     }
 
@@ -69,7 +68,7 @@ impl Case for TaylorGreen {
     }
 
     fn run(&self, n: usize, pace: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {
-        let end = pace.choose(0.5, 2.0);
+        let end = pace.choose(0.5, 1.0);
         let mut fluid = build(n)?;
         let start = fluid.energy(parallel).kinetic;
         let (mut time, mut speed) = (Vec::new(), Vec::new());
@@ -104,7 +103,7 @@ impl Case for TaylorGreen {
     }
 
     fn plots(&self) -> Vec<Plot> {
-        let time: Vec<f64> = (0..=100).map(|k| f64::from(k) * 0.02).collect();
+        let time: Vec<f64> = (0..=100).map(|k| f64::from(k) * 0.01).collect();
         let exact: Vec<f64> = time.iter().map(|t| (-rate() * t).exp()).collect();
         let axes = CurvePlot::new("Taylor-Green vortices, Re = 100", "t U/L [-]", "√(E/E₀) [-]").log_y();
         vec![Plot { name: "decay", axes: axes.dashed("exact", &time, &exact) }]
