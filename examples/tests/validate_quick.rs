@@ -1,0 +1,48 @@
+//! The exact problems of the fluid at their coarsest, with bounds of what they reach there. On request:
+//! `cargo test -p mps-examples --test validate_quick -- --ignored`.
+
+use mps_io::Value;
+use std::path::Path;
+use std::process::Command;
+
+/// Case, metric, resolution, and the largest error: what is measured, and a third more.
+const BOUNDS: &[(&str, &str, u64, f64)] = &[];
+
+#[test]
+#[ignore = "takes about a minute"]
+fn the_exact_problems_stay_as_good_as_they_are() {
+    let dir = Path::new(env!("CARGO_TARGET_TMPDIR")).join("validate-quick");
+    let _ = std::fs::remove_dir_all(&dir);
+    let status = Command::new(env!("CARGO_BIN_EXE_validate"))
+        .args(["fluid", "--quick", "--quiet", "--out"])
+        .arg(&dir)
+        .status()
+        .unwrap();
+    assert!(status.success());
+
+    let table: Value = std::fs::read_to_string(dir.join("validation.json")).unwrap().parse().unwrap();
+    let rows = table["rows"].as_array().unwrap();
+    assert!(rows.iter().all(|row| row["failure"].is_null()), "every run reaches its end");
+    for &(case, metric, resolution, bound) in BOUNDS {
+        let row = rows
+            .iter()
+            .find(|row| row["case"] == case && row["metric"] == metric && row["resolution"] == resolution)
+            .unwrap_or_else(|| panic!("no row for {case}, {metric} at {resolution}"));
+        let error = row["error"].as_f64().unwrap_or(f64::NAN);
+        assert!(error.abs() <= bound, "{case}, {metric} at {resolution}: error {error:e}, allowed {bound:e}");
+    }
+    for picture in ["couette-profiles.png", "taylor-green-decay.png", "standing-wave-mode.png"] {
+        assert!(dir.join(picture).is_file(), "{picture}");
+    }
+    let text = std::fs::read_to_string(dir.join("validation.md")).unwrap();
+    assert!(text.contains("## taylor-green"), "the same as tables");
+}
+
+#[test]
+fn an_unknown_case_is_refused_with_the_names_of_the_known() {
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_validate")).args(["fluid", "--only", "flood"]).output().unwrap();
+    assert!(!output.status.success());
+    let words = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(words.contains("flood") && words.contains("hydrostatic"), "{words}");
+}
