@@ -5,8 +5,33 @@ use mps_io::Value;
 use std::path::Path;
 use std::process::Command;
 
-/// Case, metric, resolution, and the largest error: what is measured, and a third more.
-const BOUNDS: &[(&str, &str, u64, f64)] = &[];
+/// Case, metric, resolution, and the largest error: about a third above what is measured.
+const BOUNDS: &[(&str, &str, u64, f64)] = &[
+    ("couette", "profile at 0.225", 20, 0.003),
+    ("couette", "profile at 1", 20, 0.002),
+    ("poiseuille", "profile at 0.225", 20, 0.008),
+    ("poiseuille", "mean velocity at 1", 20, 0.013),
+    ("free-fall", "largest pressure", 10, 1e-9),
+    ("sideways", "slope along y", 10, 0.03),
+    ("sideways", "slope along x", 10, 0.085),
+    ("rotation", "angular momentum, largest change", 10, 1e-12),
+    ("rotation", "velocity, L2 error", 10, 0.012),
+    ("drop", "period", 15, 0.002),
+    ("drop", "energy at the end", 15, 0.014),
+    ("drop-unshifted", "period", 10, 0.009),
+    ("drop-unshifted", "momentum", 10, 1e-12),
+    ("drop-unshifted", "angular momentum", 10, 1e-12),
+    ("taylor-green", "decay rate", 30, 0.01),
+    ("taylor-green", "velocity, largest L2 error", 30, 0.035),
+    ("taylor-green", "momentum", 30, 1e-12),
+    ("standing-wave", "period", 32, 0.006),
+    ("standing-wave", "decay rate of the energy", 32, 0.23),
+    ("hydrostatic", "pressure, L2 error", 20, 0.03),
+    ("hydrostatic", "level", 20, 0.005),
+    ("hydrostatic", "kinetic/potential energy", 20, 1e-4),
+    ("resting", "kinetic/potential energy", 10, 1e-5),
+    ("hydrostatic-3d", "pressure, L2 error", 8, 0.015),
+];
 
 #[test]
 #[ignore = "takes about a minute"]

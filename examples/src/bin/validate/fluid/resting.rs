@@ -1,7 +1,7 @@
 //! The same tank for a hundred thousand steps.
 
 use super::hydrostatic::{Watch, build};
-use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
+use crate::case::{Case, Curve, Outcome, Pace, Plot};
 use mps_examples::Failure;
 use mps_io::CurvePlot;
 use mps_neighbors::Parallel;
@@ -42,8 +42,7 @@ impl Case for Resting {
                 height.push(fluid.energy(parallel).potential / start);
             }
         }
-        let mut measures = watch.measures(&fluid, start, parallel);
-        measures.push(Measure::new("simulated time", "s", fluid.time(), fluid.time(), "for information"));
+        let measures = watch.measures(&fluid, start, parallel);
         let curves = vec![Curve { plot: "height", name: format!("{n} per depth"), x: step, y: height }];
         Ok(Outcome { measures, curves })
     }
