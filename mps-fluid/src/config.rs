@@ -14,6 +14,18 @@ pub enum Tension {
     Keep,
 }
 
+/// How the pressure gradient and the divergence treat an uneven neighbourhood.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PressureForm {
+    /// Plain sums (eqs. 23, 24). A strained arrangement of particles resists shear with a modulus in
+    /// proportion to its pressure, which also keeps the particles even.
+    #[default]
+    Plain,
+    /// Corrected by each particle's moment matrix: no such resistance, one more sweep a step. Flows
+    /// that stir need [`Shifting`] with it.
+    Corrected,
+}
+
 /// Properties and numerical parameters of the fluid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FluidConfig<T: Real, const D: usize> {
@@ -34,6 +46,8 @@ pub struct FluidConfig<T: Real, const D: usize> {
     pub cfl: T,
     /// Treatment of negative pressure. Default [`Tension::Clip`].
     pub tension: Tension,
+    /// Form of the pressure gradient and of the divergence. Default [`PressureForm::Plain`].
+    pub pressure_form: PressureForm,
     /// Pairwise collisions; `None` switches them off.
     pub collisions: Option<Dpc<T>>,
     /// Particle shifting; `None` switches it off.
@@ -55,6 +69,7 @@ impl<T: Real, const D: usize> FluidConfig<T, D> {
             diffusion: T::of(0.5),
             cfl: T::of(0.5),
             tension: Tension::Clip,
+            pressure_form: PressureForm::Plain,
             collisions: Some(Dpc::default()),
             shifting: None,
             skin_ratio: T::of(0.2),

@@ -6,27 +6,35 @@ use crate::terms::{Viscosity, WallPair};
 use crate::{Boundary, Fluid};
 use fearless_simd::Simd;
 use mps_kernel::operators::{DiffusionFilter, Divergence};
-use mps_kernel::{Kernel, Lanes, Neighborhood, Real};
+use mps_kernel::small::{difference, dot, transform};
+use mps_kernel::{Kernel, Lanes, Neighborhood, Number, Pair, Real, Tensor, Vector};
 use mps_neighbors::{Domain, Parallel, RowView, Sweep};
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
     /// `Dn/Dt = n (-div u + Dm)` (eqs. 18-20, 23) with the velocities of the end of the step.
     pub(crate) fn sweep_density(&mut self, parallel: &Parallel, dt: T) {
-        if self.config.diffusion > T::zero() {
-            self.sweep_density_with::<true>(parallel, dt);
-        } else {
-            self.sweep_density_with::<false>(parallel, dt);
+        let corrected = !self.rates.pressure_correction.is_empty();
+        match (self.config.diffusion > T::zero(), corrected) {
+            (true, false) => self.sweep_density_with::<true, false>(parallel, dt),
+            (false, false) => self.sweep_density_with::<false, false>(parallel, dt),
+            (true, true) => self.sweep_density_with::<true, true>(parallel, dt),
+            (false, true) => self.sweep_density_with::<false, true>(parallel, dt),
         }
     }
 
-    fn sweep_density_with<const DIFFUSION: bool>(&mut self, parallel: &Parallel, dt: T) {
+    fn sweep_density_with<const DIFFUSION: bool, const CORRECTED: bool>(
+        &mut self,
+        parallel: &Parallel,
+        dt: T,
+    ) {
         let mut rate = core::mem::take(&mut self.rates.density_rate);
         let factor = self.reference.gradient_factor::<D>();
         let c = self.config.sound_speed;
-        let sweep = Continuity::<_, D, _, _, DIFFUSION> {
+        let sweep = Continuity::<_, D, _, _, DIFFUSION, CORRECTED> {
             neighbors: self.view(&self.search.fluid),
             walls: self.boundary_view(),
             flow: &self.rates.flow,
+            correction: &self.rates.pressure_correction,
             pressure: &self.particles.pressure,
             boundary: &self.boundary,
             wall: self.wall_pair(),
@@ -47,10 +55,12 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 const MIRROR: f64 = 2.0;
 
 /// What [`Fluid::sweep_density`] does to one particle.
-struct Continuity<'a, T: Real, const D: usize, K, P, const DIFFUSION: bool> {
+struct Continuity<'a, T: Real, const D: usize, K, P, const DIFFUSION: bool, const CORRECTED: bool> {
     neighbors: RowView<'a, T, D, K, P>,
     walls: RowView<'a, T, D, K, P>,
     flow: &'a [Flow<T, D>],
+    /// `C_i` of the corrected form, empty for the plain one.
+    correction: &'a [Tensor<T, D>],
     pressure: &'a [T],
     boundary: &'a Boundary<T, D>,
     wall: WallPair<T, D>,
@@ -60,11 +70,28 @@ struct Continuity<'a, T: Real, const D: usize, K, P, const DIFFUSION: bool> {
     diffusion: T,
 }
 
-impl<T: Real, const D: usize, K, P, const DIFFUSION: bool> Continuity<'_, T, D, K, P, DIFFUSION>
+impl<T: Real, const D: usize, K, P, const DIFFUSION: bool, const CORRECTED: bool>
+    Continuity<'_, T, D, K, P, DIFFUSION, CORRECTED>
 where
     K: Kernel<T>,
     P: Domain<T, D>,
 {
+    /// `(u_j - u_i) . C_i e_ij W_ij/r`, without `C_i` in the plain form.
+    #[inline(always)]
+    fn opening<N: Number<T>, J>(
+        &self,
+        i: usize,
+        own: &Flow<T, D>,
+        uj: &Vector<N, D>,
+        pair: &Pair<N, D, J>,
+    ) -> N {
+        if CORRECTED {
+            dot(&difference(uj, &own.velocity), &transform(&self.correction[i], &pair.gradient_vector()))
+        } else {
+            Divergence::pair(&own.velocity, uj, pair)
+        }
+    }
+
     #[inline(always)]
     fn through_walls(&self, i: usize, own: &Flow<T, D>) -> T {
         let mut inflow = T::zero();
@@ -72,15 +99,15 @@ where
             let a = pair.j;
             let (_, na) =
                 self.wall.state(self.pressure[i], own.density, &self.boundary.acceleration[a], &pair.r_ij);
-            let opening = Divergence::pair(&own.velocity, &self.boundary.velocity[a], pair);
+            let opening = self.opening(i, own, &self.boundary.velocity[a], pair);
             inflow -= na * self.boundary.volume[a] * T::of(MIRROR) * opening;
         });
         inflow
     }
 }
 
-impl<'b, T: Real, const D: usize, K, P, const DIFFUSION: bool> Sweep<&'b mut [T]>
-    for Continuity<'_, T, D, K, P, DIFFUSION>
+impl<'b, T: Real, const D: usize, K, P, const DIFFUSION: bool, const CORRECTED: bool> Sweep<&'b mut [T]>
+    for Continuity<'_, T, D, K, P, DIFFUSION, CORRECTED>
 where
     K: Kernel<T>,
     P: Domain<T, D>,
@@ -95,7 +122,7 @@ where
             let other = Gather { simd, j: pair.j.as_ref(), from: flow };
             let density = other.scalar(|flow| flow.density);
             // n_i times eq. 23: the n_i cancels.
-            let opening = Divergence::pair(&own.velocity, &other.vector(|flow| &flow.velocity), &pair);
+            let opening = self.opening(i, &own, &other.vector(|flow| &flow.velocity), &pair);
             inflow -= density * opening;
             if DIFFUSION {
                 let gradient = other.vector(|flow| &flow.gradient);

@@ -72,7 +72,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             let before = exchange.wetted_links.len();
             view.for_each(i, |pair| {
                 if pair.j >= reactive.start && pair.weight > T::zero() {
-                    let vector = pair.gradient_vector() * self.boundary.volume[pair.j];
+                    let vector = self.corrected(i, pair.gradient_vector() * self.boundary.volume[pair.j]);
                     let other = (pair.j - reactive.start) as u32;
                     exchange.wetted_links.push(Link { other, vector });
                 }
@@ -99,7 +99,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             view.for_each(a, |pair| {
                 if pair.weight > T::zero() {
                     // Seen from the point, r_ai = -r_ia.
-                    let vector = -pair.gradient_vector() * self.boundary.volume[a];
+                    let vector = self.corrected(pair.j, -pair.gradient_vector() * self.boundary.volume[a]);
                     let other = exchange.place[pair.j];
                     exchange.point_links.push(Link { other, vector });
                 }

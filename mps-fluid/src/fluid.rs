@@ -7,7 +7,7 @@ use crate::search::Search;
 use crate::terms::{Viscosity, WallPair};
 use crate::{Boundary, FluidConfig, FluidError, FluidParticles, Tension};
 use mps_kernel::weights::Rational;
-use mps_kernel::{Kernel, ParticleStore, Real, ReferenceDensity, Vector};
+use mps_kernel::{Kernel, ParticleStore, Real, ReferenceDensity, Tensor, Vector};
 use mps_neighbors::{Domain, Open, Parallel, RowView, Rows};
 
 /// A weakly compressible MPS fluid with density diffusion (paper 1, section 2.2.2).
@@ -57,6 +57,8 @@ pub(crate) struct Rates<T: Real, const D: usize> {
     pub(crate) asymmetry: Vec<Vector<T, D>>,
     /// Rate of `n/n0` \[1/s\], or any scalar scratch.
     pub(crate) density_rate: Vec<T>,
+    /// `C_i` of the corrected pressure; empty in the plain form.
+    pub(crate) pressure_correction: Vec<Tensor<T, D>>,
     /// Velocity or position change of the regularisation, in its units.
     pub(crate) correction: Vec<Vector<T, D>>,
 }
@@ -174,10 +176,25 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         regularize::shift(self, parallel)?;
         regularize::collide(self, parallel);
         self.evaluate_pressure(parallel);
+        self.sweep_correction(parallel);
         self.sweep_momentum(parallel);
         self.react(parallel);
         self.prepare_exchange();
         self.stable_step(parallel)
+    }
+
+    /// Adds to the accelerations found by [`begin_step`](Fluid::begin_step) one that depends on the
+    /// place \[m/s^2\]: a central force, a field that changes with time. Belongs between the halves of a step.
+    ///
+    /// The walls do not know of it: what they show follows the gravity of the parameters. Hence for fluid
+    /// away from walls, or for fields along them. The time step has been chosen without it.
+    pub fn add_acceleration(
+        &mut self,
+        parallel: &Parallel,
+        field: impl Fn(&Vector<T, D>) -> Vector<T, D> + Sync,
+    ) {
+        let position = &self.particles.position;
+        parallel.update(self.rates.acceleration.as_mut_slice(), |i, a| *a += field(&position[i]));
     }
 
     /// Moves the fluid by `dt` \[s\] under the accelerations found by

@@ -1,9 +1,9 @@
 //! Fields of several neighbours brought side by side.
 
 use fearless_simd::Simd;
-use mps_kernel::by_axis;
-use mps_kernel::small::components;
-use mps_kernel::{Lanes, Real, Vector};
+use mps_kernel::small::{columns, components};
+use mps_kernel::{Lanes, Real, Tensor, Vector};
+use mps_kernel::{by_axes, by_axis};
 
 /// The neighbours `j` and where their fields are.
 #[derive(Clone, Copy)]
@@ -20,6 +20,12 @@ impl<S: Simd, A> Gather<'_, S, A> {
         T::Lanes::gather(self.simd, |lane| field(&self.from[self.j[lane]]))
     }
 
+    /// Other fields of the same neighbours.
+    #[inline(always)]
+    pub(crate) fn of<'b, B>(&'b self, from: &'b [B]) -> Gather<'b, S, B> {
+        Gather { simd: self.simd, j: self.j, from }
+    }
+
     /// One vector of each neighbour.
     #[inline(always)]
     pub(crate) fn vector<T: Real, const D: usize>(
@@ -27,5 +33,13 @@ impl<S: Simd, A> Gather<'_, S, A> {
         field: impl Fn(&A) -> &Vector<T, D>,
     ) -> Vector<T::Lanes<S>, D> {
         by_axis!(axis => self.scalar(|a| components(field(a))[axis]))
+    }
+}
+
+impl<S: Simd, T: Real, const D: usize> Gather<'_, S, Tensor<T, D>> {
+    /// The tensor of each neighbour.
+    #[inline(always)]
+    pub(crate) fn tensor(&self) -> Tensor<T::Lanes<S>, D> {
+        by_axes!((row, column) => self.scalar(|a| columns(a)[column][row]))
     }
 }

@@ -7,6 +7,7 @@
 mod boundary;
 mod config;
 mod continuity;
+mod correction;
 mod energy;
 mod eos;
 mod error;
@@ -23,7 +24,7 @@ mod terms;
 mod time_step;
 
 pub use boundary::{Boundary, Slip};
-pub use config::{FluidConfig, Tension};
+pub use config::{FluidConfig, PressureForm, Tension};
 pub use energy::FluidEnergy;
 pub use eos::{EquationOfState, Tait};
 pub use error::FluidError;

@@ -6,7 +6,9 @@ use crate::terms::{Viscosity, WallPair};
 use crate::{Boundary, Fluid};
 use fearless_simd::Simd;
 use mps_kernel::operators::{ConservativeGradient, Corrected, Gradient, MomentMatrix, invert_moment};
-use mps_kernel::small::{accumulate, accumulate_tensor, columns, components, scale, tensor, vector};
+use mps_kernel::small::{
+    accumulate, accumulate_tensor, columns, components, scale, tensor, transform, vector,
+};
 use mps_kernel::{Kernel, Lanes, Neighborhood, Real, Tensor, Vector};
 use mps_kernel::{by_axes, by_axis};
 use mps_neighbors::{Domain, Parallel, RowView, Sweep};
@@ -20,21 +22,24 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// that follows, the corrected gradient of n (eqs. 21, 22): all from the same visit of the
     /// neighbours, because positions and densities are those of the start of the step.
     pub(crate) fn sweep_momentum(&mut self, parallel: &Parallel) {
-        if self.config.diffusion > T::zero() {
-            self.sweep_momentum_with::<true>(parallel);
-        } else {
-            self.sweep_momentum_with::<false>(parallel);
+        let corrected = !self.rates.pressure_correction.is_empty();
+        match (self.config.diffusion > T::zero(), corrected) {
+            (true, false) => self.sweep_momentum_with::<true, false>(parallel),
+            (false, false) => self.sweep_momentum_with::<false, false>(parallel),
+            (true, true) => self.sweep_momentum_with::<true, true>(parallel),
+            (false, true) => self.sweep_momentum_with::<false, true>(parallel),
         }
     }
 
-    fn sweep_momentum_with<const DIFFUSION: bool>(&mut self, parallel: &Parallel) {
+    fn sweep_momentum_with<const DIFFUSION: bool, const CORRECTED: bool>(&mut self, parallel: &Parallel) {
         let mut acceleration = core::mem::take(&mut self.rates.acceleration);
         let mut flow = core::mem::take(&mut self.rates.flow);
         let factor = self.reference.gradient_factor::<D>();
-        let sweep = Momentum::<_, D, _, _, _, DIFFUSION> {
+        let sweep = Momentum::<_, D, _, _, _, DIFFUSION, CORRECTED> {
             neighbors: self.view(&self.search.fluid),
             walls: self.boundary_view(),
             state: &self.rates.state,
+            correction: &self.rates.pressure_correction,
             boundary: &self.boundary,
             wall: self.wall_pair(),
             viscosity: self.viscosity,
@@ -75,7 +80,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             let own = &state[pair.j];
             // The same pair, seen from the fluid particle.
             let seen = mps_kernel::Pair { j: a, r_ij: -pair.r_ij, ..*pair };
-            let pressure = wall.pressure_sum(own, boundary, &seen);
+            let pressure = self.corrected(pair.j, wall.pressure_sum(own, boundary, &seen));
             let shear = self.viscosity.pair(&seen, &own.velocity, &boundary.velocity[a])
                 * (boundary.shear[a] * boundary.volume[a]);
             sum += pressure * pressure_factor - shear;
@@ -103,7 +108,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                 walls.for_each(i, |pair| {
                     let a = pair.j;
                     if reactive.contains(&a) {
-                        let pressure = wall.pressure_sum(own, &self.boundary, pair);
+                        let pressure = self.corrected(i, wall.pressure_sum(own, &self.boundary, pair));
                         let shear = self.viscosity.pair(pair, &own.velocity, &self.boundary.velocity[a]);
                         sum += pressure * pressure_factor;
                         sum += shear * (self.boundary.shear[a] * self.boundary.volume[a]);
@@ -118,10 +123,12 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 }
 
 /// What [`Fluid::sweep_momentum`] does to one particle.
-struct Momentum<'a, T: Real, const D: usize, K, V, P, const DIFFUSION: bool> {
+struct Momentum<'a, T: Real, const D: usize, K, V, P, const DIFFUSION: bool, const CORRECTED: bool> {
     neighbors: RowView<'a, T, D, K, P>,
     walls: RowView<'a, T, D, K, P>,
     state: &'a [State<T, D>],
+    /// `C_i` of the corrected form, empty for the plain one.
+    correction: &'a [Tensor<T, D>],
     boundary: &'a Boundary<T, D>,
     wall: WallPair<T, D>,
     viscosity: V,
@@ -132,7 +139,8 @@ struct Momentum<'a, T: Real, const D: usize, K, V, P, const DIFFUSION: bool> {
     pressure_factor: T,
 }
 
-impl<T: Real, const D: usize, K, V, P, const DIFFUSION: bool> Momentum<'_, T, D, K, V, P, DIFFUSION>
+impl<T: Real, const D: usize, K, V, P, const DIFFUSION: bool, const CORRECTED: bool>
+    Momentum<'_, T, D, K, V, P, DIFFUSION, CORRECTED>
 where
     K: Kernel<T>,
     V: Viscosity<T, D>,
@@ -142,7 +150,8 @@ where
     fn add_walls(&self, i: usize, own: &State<T, D>, total: &mut Vector<T, D>) {
         self.walls.for_each(i, |pair| {
             let a = pair.j;
-            *total += self.wall.pressure_sum(own, self.boundary, pair) * self.pressure_factor;
+            let pressure = self.wall.pressure_sum(own, self.boundary, pair) * self.pressure_factor;
+            *total += if CORRECTED { self.correction[i] * pressure } else { pressure };
             let shear = self.boundary.shear[a];
             if shear > T::zero() {
                 let share = shear * self.boundary.volume[a];
@@ -152,8 +161,9 @@ where
     }
 }
 
-impl<'b, T: Real, const D: usize, K, V, P, const DIFFUSION: bool>
-    Sweep<(&'b mut [Vector<T, D>], &'b mut [Flow<T, D>])> for Momentum<'_, T, D, K, V, P, DIFFUSION>
+impl<'b, T: Real, const D: usize, K, V, P, const DIFFUSION: bool, const CORRECTED: bool>
+    Sweep<(&'b mut [Vector<T, D>], &'b mut [Flow<T, D>])>
+    for Momentum<'_, T, D, K, V, P, DIFFUSION, CORRECTED>
 where
     K: Kernel<T>,
     V: Viscosity<T, D>,
@@ -170,26 +180,46 @@ where
         let own = state[i];
         let zero = T::Lanes::splat(simd, T::zero());
         let (mut total, mut slope) = (vector([zero; D]), vector([zero; D]));
+        // What the particle's own C_i multiplies, in the corrected form.
+        let mut stress = vector([zero; D]);
         let mut moment = tensor([[zero; D]; D]);
         for pair in self.neighbors.packs(simd, i) {
             let other = Gather { simd, j: pair.j.as_ref(), from: state };
-            let pij = ConservativeGradient::pair_pressure(
-                own.pressure,
-                own.density,
-                own.inverse_density,
+            let (pressure, density, inverse_density) = (
                 other.scalar(|state| state.pressure),
                 other.scalar(|state| state.density),
                 other.scalar(|state| state.inverse_density),
             );
-            accumulate(&mut total, &scale(&pair.gradient_vector(), pij * self.pressure_factor));
+            let vector = pair.gradient_vector();
+            if CORRECTED {
+                let factor = self.pressure_factor;
+                let there = other.of(self.correction).tensor();
+                let by_own = density * (own.inverse_density * own.pressure * factor);
+                let by_other = inverse_density * pressure * (own.density * factor);
+                accumulate(&mut stress, &scale(&vector, by_own));
+                accumulate(&mut total, &transform(&there, &scale(&vector, by_other)));
+            } else {
+                let pij = ConservativeGradient::pair_pressure(
+                    own.pressure,
+                    own.density,
+                    own.inverse_density,
+                    pressure,
+                    density,
+                    inverse_density,
+                );
+                accumulate(&mut total, &scale(&vector, pij * self.pressure_factor));
+            }
             self.viscosity.add(&mut total, &pair, &own.velocity, &other.vector(|state| &state.velocity));
             if DIFFUSION {
-                let density = other.scalar(|state| state.density);
                 accumulate(&mut slope, &Gradient::pair(own.density, density, &pair));
                 accumulate_tensor(&mut moment, &MomentMatrix::<T>::pair(&pair));
             }
         }
         let mut total: Vector<T, D> = by_axis!(axis => components(&total)[axis].sum());
+        if CORRECTED {
+            let stress: Vector<T, D> = by_axis!(axis => components(&stress)[axis].sum());
+            total += self.correction[i] * stress;
+        }
         if !self.boundary.is_empty() {
             self.add_walls(i, &own, &mut total);
         }

@@ -100,6 +100,6 @@ fn walls_come_before_structures() {
     assert_eq!(boundary.add_wall(&[Vector::zeros()], Slip::Free), None);
     assert_eq!((boundary.len(), boundary.reactive()), (7, 4..7));
     assert_eq!(boundary.volume, [1.0, 1.0, 1.0, 1.0, 0.25, 0.5, 1.0]);
-    assert_eq!(boundary.shear, [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0]);
+    assert_eq!(boundary.shear, [0.0, 0.0, 0.0, 0.0, 2.0, 2.0, 0.0]);
     assert_eq!(boundary.force.len(), 7);
 }

@@ -5,6 +5,7 @@
 //! than the pair. For the same reason [`by_axis!`] and [`by_axes!`] are macros.
 
 use crate::{Number, Tensor, Vector};
+use core::ops::{Add, Mul};
 use nalgebra::ArrayStorage;
 
 /// The vector with the components `by_axis!(axis => component)`.
@@ -113,6 +114,24 @@ pub fn scale<N: Number<T>, T, const D: usize>(a: &Vector<N, D>, s: N) -> Vector<
 pub fn outer<N: Number<T>, T, const D: usize>(a: &Vector<N, D>, b: &Vector<N, D>) -> Tensor<N, D> {
     let (a, b) = (components(a), components(b));
     by_axes!((row, column) => a[row] * b[column])
+}
+
+/// `a v`, of a tensor of lanes or of the one tensor of the particle that looks.
+#[inline(always)]
+pub fn transform<N, M, const D: usize>(a: &Tensor<M, D>, v: &Vector<N, D>) -> Vector<N, D>
+where
+    N: Copy + Add<Output = N> + Mul<M, Output = N>,
+    M: Copy,
+{
+    let (a, v) = (columns(a), components(v));
+    let mut sum = [v[0] * a[0][0]; D];
+    for row in 0..D {
+        sum[row] = v[0] * a[0][row];
+        for column in 1..D {
+            sum[row] = sum[row] + v[column] * a[column][row];
+        }
+    }
+    vector(sum)
 }
 
 /// `sum += a`.

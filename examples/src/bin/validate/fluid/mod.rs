@@ -1,0 +1,34 @@
+//! The cases of the fluid alone.
+
+mod couette;
+mod drop;
+mod free_fall;
+mod hydrostatic;
+mod measures;
+mod poiseuille;
+mod resting;
+mod rotation;
+mod scene;
+mod sideways;
+mod standing_wave;
+mod taylor_green;
+
+use crate::case::Case;
+
+/// All of them, the cheapest first.
+pub(crate) fn cases() -> Vec<Box<dyn Case>> {
+    vec![
+        Box::new(couette::Couette),
+        Box::new(poiseuille::Poiseuille),
+        Box::new(free_fall::FreeFall),
+        Box::new(sideways::Sideways),
+        Box::new(rotation::Rotation),
+        Box::new(drop::Drop { shifted: true }),
+        Box::new(drop::Drop { shifted: false }),
+        Box::new(taylor_green::TaylorGreen),
+        Box::new(standing_wave::StandingWave),
+        Box::new(hydrostatic::Hydrostatic::<2>),
+        Box::new(resting::Resting),
+        Box::new(hydrostatic::Hydrostatic::<3>),
+    ]
+}

@@ -1,0 +1,108 @@
+//! Plane Poiseuille flow from rest: a body force along the channel.
+
+use super::measures::rms;
+use super::scene::{NU, WIDTH, advance, channel};
+use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
+use core::f64::consts::PI;
+use mps_examples::Failure;
+use mps_fluid::FluidParticles;
+use mps_io::CurvePlot;
+use mps_neighbors::Parallel;
+
+pub(crate) struct Poiseuille;
+
+/// Largest speed of the steady flow \[m/s\].
+const SPEED: f64 = 1.0;
+const LOOKS: [f64; 3] = [0.045, 0.225, 1.0];
+const SERIES: &str =
+    "analytic: 4 y (L-y)/L^2 - sum over odd n of 32/(pi n)^3 sin(n pi y/L) exp(-n^2 pi^2 nu t/L^2)";
+
+/// `u/u_max` at height `y/L` and time `nu t/L^2`.
+fn exact(y: f64, time: f64) -> f64 {
+    let term = |n: i32| {
+        let k = f64::from(2 * n + 1) * PI;
+        32.0 / k.powi(3) * (k * y).sin() * (-k * k * time).exp()
+    };
+    4.0 * y * (1.0 - y) - (0..100).map(term).sum::<f64>()
+}
+
+/// Mean velocity of the particles of each row, over `speed`, against the height.
+pub(crate) fn profile(particles: &FluidParticles<f64, 2>, across: usize, speed: f64) -> Curve {
+    let mut rows = vec![(0.0, 0.0); across];
+    for (r, u) in particles.position.iter().zip(&particles.velocity) {
+        let row = (r.y / WIDTH * across as f64).max(0.0) as usize;
+        let row = &mut rows[row.min(across - 1)];
+        *row = (row.0 + u.x / speed, row.1 + 1.0);
+    }
+    let filled = rows.iter().enumerate().filter(|(_, row)| row.1 > 0.0);
+    let (y, u) = filled.map(|(k, row)| ((k as f64 + 0.5) / across as f64, row.0 / row.1)).unzip();
+    Curve { plot: "profiles", name: format!("{across} across"), x: y, y: u }
+}
+
+impl Case for Poiseuille {
+    fn name(&self) -> &'static str {
+        "poiseuille"
+    }
+
+    fn about(&self) -> &'static str {
+        "Viscous fluid at rest between two walls without slip, periodic along them, accelerated along the walls from t = 0. \
+         Re = u_max L/nu = 10, c = 10 u_max. Errors of the velocity are root mean squares over the particles, over u_max."
+    }
+
+    fn resolution(&self) -> &'static str {
+        "particles across"
+    }
+
+    fn resolutions(&self, pace: Pace) -> Vec<usize> {
+        pace.choose(vec![10, 20], vec![10, 20, 40])
+    }
+
+    fn run(&self, across: usize, _pace: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {
+        let mut fluid = channel(across, 0.0, 8.0 * NU * SPEED / (WIDTH * WIDTH))?;
+        let mut outcome = Outcome::default();
+        let metrics = ["profile at 0.045", "profile at 0.225", "profile at 1"];
+        for (look, metric) in LOOKS.into_iter().zip(metrics) {
+            advance(&mut fluid, parallel, look * WIDTH * WIDTH / NU, |_| ())?;
+            let now = fluid.time() * NU / (WIDTH * WIDTH);
+            let particles = fluid.particles();
+            let u = &particles.velocity;
+            let error = rms(particles, |i| u[i].x / SPEED, |r| exact(r.y / WIDTH, now));
+            outcome.measures.push(Measure::new(metric, "-", error, 0.0, SERIES).within(0.01, 40));
+            outcome.curves.push(profile(particles, across, SPEED));
+        }
+        let flux = fluid.particles().velocity.iter().map(|u| u.x).sum::<f64>()
+            / (fluid.particles().velocity.len() as f64 * SPEED);
+        let now = fluid.time() * NU / (WIDTH * WIDTH);
+        let exact_flux = (0..1000).map(|k| exact((f64::from(k) + 0.5) * 1e-3, now)).sum::<f64>() * 1e-3;
+        outcome.measures.push(Measure::new("mean velocity at 1", "u_max", flux, exact_flux, SERIES));
+        Ok(outcome)
+    }
+
+    fn plots(&self) -> Vec<Plot> {
+        let y: Vec<f64> = (0..=100).map(|k| f64::from(k) * 0.01).collect();
+        let axes = CurvePlot::new("Poiseuille flow from rest", "y/L [-]", "u/u_max [-]");
+        let axes = LOOKS.iter().fold(axes, |axes, look| {
+            let u: Vec<f64> = y.iter().map(|y| exact(*y, *look)).collect();
+            axes.dashed(&format!("exact, ν t/L² = {look}"), &y, &u)
+        });
+        vec![Plot { name: "profiles", axes }]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_series_solves_the_problem() {
+        for time in [0.02, 0.1, 0.5] {
+            assert!(exact(0.0, time).abs() < 1e-12 && exact(1.0, time).abs() < 1e-12);
+            let h = 1e-3;
+            let by_time = (exact(0.3, time + 1e-5) - exact(0.3, time - 1e-5)) / 2e-5;
+            let bend = (exact(0.3 + h, time) - 2.0 * exact(0.3, time) + exact(0.3 - h, time)) / (h * h);
+            assert!((by_time - (bend + 8.0)).abs() < 1e-4, "{by_time} and {}", bend + 8.0);
+        }
+        assert!(exact(0.4, 0.0).abs() < 1e-5, "at rest first");
+        assert!((exact(0.5, 0.225) - 0.88798413).abs() < 1e-8);
+    }
+}

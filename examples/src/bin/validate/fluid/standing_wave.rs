@@ -1,0 +1,145 @@
+//! A standing gravity wave: period and viscous decay.
+
+use super::measures::{decay_rate, peaks_between, zeros};
+use super::scene::{GRAVITY, Water, advance, heavy_water, tank};
+use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
+use core::f64::consts::PI;
+use mps_examples::Failure;
+use mps_fluid::ArtificialViscosity;
+use mps_io::CurvePlot;
+use mps_kernel::Vector;
+use mps_neighbors::Parallel;
+
+pub(crate) struct StandingWave;
+
+/// Depth \[m\].
+const DEPTH: f64 = 1.0;
+/// Length of the wave and of the tank \[m\].
+const LENGTH: f64 = 2.0;
+/// Height of the crest over the mean level \[m\].
+const AMPLITUDE: f64 = 0.03;
+/// `H sqrt(g H)/nu`.
+const RE: f64 = 250.0;
+/// Wave number \[1/m\].
+const K: f64 = 2.0 * PI / LENGTH;
+const DISPERSION: &str = "analytic: omega^2 = g k tanh(k H)";
+const DECAY: &str = "analytic (Lighthill 1978): energy decays with exp(-4 nu k^2 t)";
+
+fn omega() -> f64 {
+    (GRAVITY * K * (K * DEPTH).tanh()).sqrt()
+}
+
+fn viscosity() -> f64 {
+    DEPTH * (GRAVITY * DEPTH).sqrt() / RE
+}
+
+/// Velocity of the linear wave when the surface is flat, for an amplitude of one \[1/s\].
+fn mode(r: &Vector<f64, 2>) -> Vector<f64, 2> {
+    let (x, y) = (K * r.x, K * r.y);
+    let size = omega() / (K * DEPTH).sinh();
+    Vector::from([x.sin() * y.cosh(), -x.cos() * y.sinh()]) * size
+}
+
+/// Viscosity along the line of each pair: only such a one leaves a free surface without shear stress. The Laplacian
+/// of the velocity, harmless elsewhere, would leave it without `nu du/dn`, and potential flow with half its decay.
+type Wave = Water<2, ArtificialViscosity<f64>>;
+
+fn build(per_wave: usize) -> Result<Wave, Failure> {
+    let l0 = LENGTH / per_wave as f64;
+    let config = heavy_water::<2>(l0, DEPTH);
+    let c = config.sound_speed;
+    // alpha c l0/(2 (D + 2)) = nu
+    let alpha = 8.0 * viscosity() / (c * l0);
+    let rows = (DEPTH / l0).round() as usize;
+    let mut fluid = tank([per_wave, rows], config, |r| ArtificialViscosity::new::<2>(alpha, c, r))?;
+    let particles = fluid.particles_mut();
+    for (u, r) in particles.velocity.iter_mut().zip(&particles.position) {
+        *u = mode(r) * AMPLITUDE;
+    }
+    Ok(fluid)
+}
+
+/// Share of the wave's mode in the velocities, over that of the start.
+fn share(fluid: &Wave) -> f64 {
+    let particles = fluid.particles();
+    let (mut along, mut size) = (0.0, 0.0);
+    for (r, u) in particles.position.iter().zip(&particles.velocity) {
+        let mode = mode(r);
+        along += mode.dot(u);
+        size += mode.norm_squared();
+    }
+    along / (size * AMPLITUDE)
+}
+
+impl Case for StandingWave {
+    fn name(&self) -> &'static str {
+        "standing-wave"
+    }
+
+    fn about(&self) -> &'static str {
+        "The first mode of a tank 2 m long and 1 m deep, started with the velocities of the linear wave of height 0.03 m under a flat \
+         surface. Walls with free slip, viscosity along the pairs (`ArtificialViscosity`) that amounts to Re = H sqrt(g H)/nu = 250, c = 10 sqrt(g H), 3.6 periods. \
+         Period and decay are those of the share of the mode in the velocities; the decay rate of its square is that of the energy."
+    }
+
+    fn resolution(&self) -> &'static str {
+        "particles per wavelength"
+    }
+
+    fn resolutions(&self, pace: Pace) -> Vec<usize> {
+        pace.choose(vec![24, 32], vec![32, 64, 100])
+    }
+
+    fn run(&self, n: usize, pace: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {
+        let mut fluid = build(n)?;
+        let period = 2.0 * PI / omega();
+        let (mut time, mut amplitude) = (Vec::new(), Vec::new());
+        advance(&mut fluid, parallel, pace.choose(2.6, 3.6) * period, |fluid| {
+            time.push(fluid.time());
+            amplitude.push(share(fluid));
+        })?;
+        let zeros = zeros(&time, &amplitude);
+        let (first, last) = (zeros.first().copied(), zeros.last().copied());
+        let found = 2.0 * (last.unwrap_or(f64::NAN) - first.unwrap_or(f64::NAN)) / (zeros.len() as f64 - 1.0);
+        let (at, height): (Vec<_>, Vec<_>) = peaks_between(&time, &amplitude, &zeros).into_iter().unzip();
+        let decay = 2.0 * decay_rate(&at, &height);
+        let rate = 4.0 * viscosity() * K * K;
+        let measures = vec![
+            Measure::new("period", "s", found, period, DISPERSION).within(0.01, 100),
+            Measure::new("decay rate of the energy", "1/s", decay, rate, DECAY).within(0.1, 100),
+        ];
+        let time = time.iter().map(|t| t / period).collect();
+        let curves = vec![Curve { plot: "mode", name: format!("{n} per wavelength"), x: time, y: amplitude }];
+        Ok(Outcome { measures, curves })
+    }
+
+    fn plots(&self) -> Vec<Plot> {
+        let time: Vec<f64> = (0..=360).map(|k| f64::from(k) * 0.01).collect();
+        let period = 2.0 * PI / omega();
+        let decay = 2.0 * viscosity() * K * K * period;
+        let exact: Vec<f64> = time.iter().map(|t| (-decay * t).exp() * (2.0 * PI * t).cos()).collect();
+        let axes = CurvePlot::new("Standing wave, Re = 250", "t/T [-]", "share of the mode [-]");
+        vec![Plot { name: "mode", axes: axes.dashed("exact", &time, &exact) }]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_mode_is_a_potential_flow_along_the_walls_that_lifts_the_surface() {
+        let h = 1e-5;
+        let r = Vector::from([0.3, 0.7]);
+        let (dx, dy) = (Vector::from([h, 0.0]), Vector::from([0.0, h]));
+        let by_x = (mode(&(r + dx)) - mode(&(r - dx))) / (2.0 * h);
+        let by_y = (mode(&(r + dy)) - mode(&(r - dy))) / (2.0 * h);
+        assert!((by_x.x + by_y.y).abs() < 1e-6 && (by_x.y - by_y.x).abs() < 1e-6);
+        assert!(mode(&Vector::from([0.0, 0.5])).x.abs() < 1e-12);
+        assert!(mode(&Vector::from([LENGTH, 0.5])).x.abs() < 1e-12);
+        assert!(mode(&Vector::from([0.4, 0.0])).y.abs() < 1e-12);
+        // The surface moves with amplitude times omega.
+        assert!((mode(&Vector::from([0.0, DEPTH])).y + omega()).abs() < 1e-12);
+        assert!((2.0 * PI / omega() - 1.13392).abs() < 1e-4, "{}", 2.0 * PI / omega());
+    }
+}

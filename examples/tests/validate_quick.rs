@@ -1,0 +1,73 @@
+//! The exact problems of the fluid at their coarsest, with bounds of what they reach there. On request:
+//! `cargo test -p mps-examples --test validate_quick -- --ignored`.
+
+use mps_io::Value;
+use std::path::Path;
+use std::process::Command;
+
+/// Case, metric, resolution, and the largest error: about a third above what is measured.
+const BOUNDS: &[(&str, &str, u64, f64)] = &[
+    ("couette", "profile at 0.225", 20, 0.003),
+    ("couette", "profile at 1", 20, 0.002),
+    ("poiseuille", "profile at 0.225", 20, 0.008),
+    ("poiseuille", "mean velocity at 1", 20, 0.013),
+    ("free-fall", "largest pressure", 10, 1e-9),
+    ("sideways", "slope along y", 10, 0.03),
+    ("sideways", "slope along x", 10, 0.085),
+    ("rotation", "angular momentum, largest change", 10, 1e-12),
+    ("rotation", "velocity, L2 error", 10, 0.012),
+    ("drop", "period", 15, 0.002),
+    ("drop", "energy at the end", 15, 0.014),
+    ("drop-unshifted", "period", 10, 0.009),
+    ("drop-unshifted", "momentum", 10, 1e-12),
+    ("drop-unshifted", "angular momentum", 10, 1e-12),
+    ("taylor-green", "decay rate", 30, 0.01),
+    ("taylor-green", "velocity, largest L2 error", 30, 0.035),
+    ("taylor-green", "momentum", 30, 1e-12),
+    ("standing-wave", "period", 32, 0.006),
+    ("standing-wave", "decay rate of the energy", 32, 0.23),
+    ("hydrostatic", "pressure, L2 error", 20, 0.03),
+    ("hydrostatic", "level", 20, 0.005),
+    ("hydrostatic", "kinetic/potential energy", 20, 1e-4),
+    ("resting", "kinetic/potential energy", 10, 1e-5),
+    ("hydrostatic-3d", "pressure, L2 error", 8, 0.015),
+];
+
+#[test]
+#[ignore = "takes about a minute"]
+fn the_exact_problems_stay_as_good_as_they_are() {
+    let dir = Path::new(env!("CARGO_TARGET_TMPDIR")).join("validate-quick");
+    let _ = std::fs::remove_dir_all(&dir);
+    let status = Command::new(env!("CARGO_BIN_EXE_validate"))
+        .args(["fluid", "--quick", "--quiet", "--out"])
+        .arg(&dir)
+        .status()
+        .unwrap();
+    assert!(status.success());
+
+    let table: Value = std::fs::read_to_string(dir.join("validation.json")).unwrap().parse().unwrap();
+    let rows = table["rows"].as_array().unwrap();
+    assert!(rows.iter().all(|row| row["failure"].is_null()), "every run reaches its end");
+    for &(case, metric, resolution, bound) in BOUNDS {
+        let row = rows
+            .iter()
+            .find(|row| row["case"] == case && row["metric"] == metric && row["resolution"] == resolution)
+            .unwrap_or_else(|| panic!("no row for {case}, {metric} at {resolution}"));
+        let error = row["error"].as_f64().unwrap_or(f64::NAN);
+        assert!(error.abs() <= bound, "{case}, {metric} at {resolution}: error {error:e}, allowed {bound:e}");
+    }
+    for picture in ["couette-profiles.png", "taylor-green-decay.png", "standing-wave-mode.png"] {
+        assert!(dir.join(picture).is_file(), "{picture}");
+    }
+    let text = std::fs::read_to_string(dir.join("validation.md")).unwrap();
+    assert!(text.contains("## taylor-green"), "the same as tables");
+}
+
+#[test]
+fn an_unknown_case_is_refused_with_the_names_of_the_known() {
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_validate")).args(["fluid", "--only", "flood"]).output().unwrap();
+    assert!(!output.status.success());
+    let words = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(words.contains("flood") && words.contains("hydrostatic"), "{words}");
+}
