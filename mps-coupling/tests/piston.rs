@@ -20,11 +20,13 @@ const HEIGHT: f64 = ROWS as f64 * L0;
 
 type Column = Scene<f64, 2, Rational, (), PeriodicBox<f64, 2>>;
 
-/// A column of water, endless sideways, between a floor and a piston of the given mass and spring.
-fn column(mass: f64, stiffness: f64, speed: f64) -> Column {
+/// A column of water, endless sideways, between a floor and a piston of the given mass and spring that
+/// moves in sub-steps of at most `sub_step`, with the Courant number of the water.
+fn column(mass: f64, stiffness: f64, speed: f64, (cfl, sub_step): (f64, f64)) -> Column {
     let parallel = Parallel::serial();
     let mut config = FluidConfig::water(L0, C);
     config.tension = Tension::Keep;
+    config.cfl = cfl;
     let particles = FluidParticles::at_rest(lattice([0.0; 2], [COLUMNS, ROWS], L0));
     let mut boundary = Boundary::default();
     boundary.add_wall(&lattice([0.0, -3.0 * L0], [COLUMNS, 3], L0), Slip::Free).unwrap();
@@ -33,7 +35,7 @@ fn column(mass: f64, stiffness: f64, speed: f64) -> Column {
     let mut scene = Scene::new(fluid);
     let mut piston = Piston::new(lattice([0.0, HEIGHT], [COLUMNS, 4], L0), L0, mass, stiffness);
     piston.v = speed;
-    piston.max_step = 2e-4;
+    piston.max_step = sub_step;
     scene.add_structure(&parallel, Box::new(piston), Slip::Free).unwrap();
     scene
 }
@@ -75,26 +77,42 @@ fn a_piston_swings_on_the_water_with_the_frequency_of_its_mass_spring_and_the_so
     let water = 1000.0 * WIDTH * HEIGHT;
     let column_stiffness = 1000.0 * C * C * WIDTH / HEIGHT;
     for (mass, stiffness) in [(water, 0.0), (water, 2.0 * column_stiffness), (4.0 * water, 0.0)] {
-        let mut scene = column(mass, stiffness, 1e-3);
+        let mut scene = column(mass, stiffness, 1e-3, (0.5, 2e-4));
         let (found, truth) = (measured(&mut scene), expected(mass, stiffness));
         assert!((found / truth - 1.0).abs() < 0.01, "{found} rad/s instead of {truth} rad/s");
     }
 }
 
-#[test]
-fn a_piston_neither_gains_energy_nor_loses_much_of_it_in_a_period() {
+/// Largest total energy over that of the start, in 0.3 s after the piston was pushed.
+fn largest_energy(cfl: f64, sub_step: f64) -> f64 {
     let parallel = Parallel::serial();
-    let mut scene = column(20.0, 0.0, 1e-3);
+    let mut scene = column(20.0, 0.0, 1e-3, (cfl, sub_step));
     let total = |scene: &Column| {
         let (fluid, piston) = scene.energy(&parallel);
         fluid.total() + piston.total()
     };
     let start = total(&scene);
-    let mut largest = start;
+    let mut largest = 0.0_f64;
     while scene.fluid().time() < 0.3 {
         scene.step(&parallel, f64::INFINITY).unwrap();
-        largest = largest.max(total(&scene));
+        largest = largest.max(total(&scene) / start);
     }
-    assert!(largest < 1.002 * start, "{}", largest / start);
-    assert!(total(&scene) > 0.95 * start, "{}", total(&scene) / start);
+    // What density diffusion takes of a wave twenty particles long in two periods is a few percent a period.
+    assert!(total(&scene) > 0.85 * start, "{} is left", total(&scene) / start);
+    largest
+}
+
+/// The energy read at the ends of the steps of a symplectic scheme swings by the share `w dt/2`, and sub-steps
+/// add a gain of the same order, because the velocity of the water is held meanwhile. Without viscosity both
+/// can be seen here; both have to go with the step.
+#[test]
+fn what_a_piston_gains_in_energy_goes_with_the_step() {
+    for substeps in [1.0, 4.0] {
+        let gain = [0.5, 0.25, 0.125].map(|cfl| {
+            let dt = cfl * L0 / C;
+            largest_energy(cfl, dt / (substeps - 0.5)) - 1.0
+        });
+        assert!(gain[0] < 0.02, "{substeps} sub-steps: {gain:?}");
+        assert!(gain.windows(2).all(|w| w[1] < 0.7 * w[0]), "{substeps} sub-steps: {gain:?}");
+    }
 }
