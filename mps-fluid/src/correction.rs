@@ -16,11 +16,15 @@
 //! What is lost is the tendency of the plain form to even out the particles, which came from the same
 //! resistance: flows that stir need shifting.
 
+use crate::fluid::State;
+use crate::gather::Gather;
 use crate::terms::Viscosity;
 use crate::{Fluid, PressureForm};
+use fearless_simd::Simd;
 use mps_kernel::operators::{Corrected, MomentMatrix, invert_moment};
-use mps_kernel::{Kernel, Neighborhood, Real, Tensor, Vector};
-use mps_neighbors::{Domain, Parallel};
+use mps_kernel::small::{accumulate_tensor, columns, outer, scale, tensor};
+use mps_kernel::{Kernel, Lanes, Neighborhood, Real, Tensor, Vector, by_axes};
+use mps_neighbors::{Domain, Parallel, RowView, Sweep};
 
 /// Below this measure of the moment matrix the plain form is used
 /// ([`invert_moment`]): few neighbours on a line.
@@ -34,22 +38,14 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         }
         let mut correction = core::mem::take(&mut self.rates.pressure_correction);
         correction.resize(self.particles.position.len(), Tensor::identity());
-        let neighbors = self.view(&self.search.fluid);
-        let walls = self.boundary_view();
-        let volume = &self.boundary.volume;
-        let state = &self.rates.state;
-        let factor = self.reference.gradient_factor::<D>();
-        parallel.update(correction.as_mut_slice(), |i, correction| {
-            let mut moment = Tensor::<T, D>::zeros();
-            neighbors.for_each(i, |pair| {
-                moment += MomentMatrix::pair(pair) * (state[pair.j].density * state[i].inverse_density);
-            });
-            if !volume.is_empty() {
-                walls.for_each(i, |pair| moment += MomentMatrix::pair(pair) * volume[pair.j]);
-            }
-            let corrected: Corrected<T, D> = invert_moment(&(moment * factor), T::of(DEGENERATE));
-            *correction = corrected.matrix();
-        });
+        let sweep = Correction {
+            neighbors: self.view(&self.search.fluid),
+            walls: self.boundary_view(),
+            volume: &self.boundary.volume,
+            state: &self.rates.state,
+            factor: self.reference.gradient_factor::<D>(),
+        };
+        parallel.sweep(correction.as_mut_slice(), &sweep);
         self.rates.pressure_correction = correction;
     }
 
@@ -60,5 +56,41 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             Some(matrix) => matrix * vector,
             None => vector,
         }
+    }
+}
+
+/// What [`Fluid::sweep_correction`] does to one particle.
+struct Correction<'a, T: Real, const D: usize, K, P> {
+    neighbors: RowView<'a, T, D, K, P>,
+    walls: RowView<'a, T, D, K, P>,
+    /// Volumes of the boundary points over that of a particle \[-\].
+    volume: &'a [T],
+    state: &'a [State<T, D>],
+    /// `D/n0`.
+    factor: T,
+}
+
+impl<'b, T: Real, const D: usize, K, P> Sweep<&'b mut [Tensor<T, D>]> for Correction<'_, T, D, K, P>
+where
+    K: Kernel<T>,
+    P: Domain<T, D>,
+{
+    #[inline(always)]
+    fn visit<S: Simd>(&self, simd: S, i: usize, correction: &'b mut Tensor<T, D>) {
+        let zero = T::Lanes::splat(simd, T::zero());
+        let mut moment = tensor([[zero; D]; D]);
+        let inverse_density = self.state[i].inverse_density;
+        for pair in self.neighbors.packs(simd, i) {
+            let other = Gather { simd, j: pair.j.as_ref(), from: self.state };
+            let ratio = other.scalar(|state| state.density) * inverse_density;
+            let weighted = scale(&pair.r_ij, pair.over_r2 * ratio);
+            accumulate_tensor(&mut moment, &outer(&weighted, &pair.r_ij));
+        }
+        let mut moment: Tensor<T, D> = by_axes!((row, column) => columns(&moment)[column][row].sum());
+        if !self.volume.is_empty() {
+            self.walls.for_each(i, |pair| moment += MomentMatrix::<T>::pair(pair) * self.volume[pair.j]);
+        }
+        let corrected: Corrected<T, D> = invert_moment(&(moment * self.factor), T::of(DEGENERATE));
+        *correction = corrected.matrix();
     }
 }
