@@ -97,6 +97,7 @@ fn help_names_every_flag() {
         "--keep-tension",
         "--no-dpc",
         "--shifting",
+        "--corrected",
         "--threads",
         "--precision",
         "--out",

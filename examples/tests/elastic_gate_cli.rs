@@ -113,6 +113,7 @@ fn help_names_every_flag() {
         "--cfl",
         "--alpha",
         "--shifting",
+        "--corrected",
         "--beside",
         "--threads",
         "--precision",

@@ -1,5 +1,6 @@
 //! The whole elastic gate, coarse: against a published run with the same rubber, and with few sub-steps.
 //! Long, hence only on request: `cargo test -p mps-examples --test elastic_gate_coarse -- --ignored`.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
 use mps_io::Summary;
 use std::path::Path;

@@ -3,7 +3,7 @@
 use crate::setup::{HEIGHT, Release, Settings};
 use clap::Parser;
 use mps_examples::{Common, Refused};
-use mps_fluid::Tension;
+use mps_fluid::{PressureForm, Tension};
 
 /// Dam break onto a dry bed and against a wall (Lobovsky et al. 2014; case 2 of the paper).
 ///
@@ -43,6 +43,10 @@ pub(crate) struct Options {
     /// Shift the particles towards an even distribution, in K parts a step (the paper has 5); 0 does not
     #[arg(long, value_name = "K", default_value_t = 0)]
     pub(crate) shifting: u32,
+    /// Correct pressure gradient and divergence by the moment matrix of each particle; flows that stir need
+    /// shifting with it
+    #[arg(long)]
+    pub(crate) corrected: bool,
     #[command(flatten)]
     pub(crate) common: Common,
 }
@@ -130,6 +134,7 @@ impl Options {
             tension: if self.keep_tension { Tension::Keep } else { Tension::Clip },
             collisions: !self.no_dpc,
             shifting: self.shifting,
+            pressure_form: if self.corrected { PressureForm::Corrected } else { PressureForm::Plain },
         })
     }
 }

@@ -69,6 +69,7 @@ pub(crate) fn summary<T: Real>(
     summary.set("keep_tension", options.keep_tension);
     summary.set("collisions", settings.collisions);
     summary.set("shifting_iterations", settings.shifting);
+    summary.set("pressure_form", if options.corrected { "corrected" } else { "plain" });
     summary.set("radius_ratio", fluid.config().radius_ratio.to_double());
     summary.threads = threads;
     summary.precision = options.common.precision.name().to_owned();

@@ -82,6 +82,7 @@ mod tests {
                 tension: Tension::Clip,
                 collisions: true,
                 shifting: 0,
+                pressure_form: mps_fluid::PressureForm::Plain,
             };
             let mut dam = DamBreak::<f64>::new(&settings).unwrap();
             for r in &mut dam.fluid_mut().particles_mut().position {

@@ -3,7 +3,7 @@
 use mps_examples::Failure;
 use mps_fluid::{
     ArtificialViscosity, Boundary, Dpc, EquationOfState, Fluid, FluidConfig, FluidError, FluidParticles,
-    Shifting, Slip, Tait, Tension,
+    PressureForm, Shifting, Slip, Tait, Tension,
 };
 use mps_kernel::weights::Rational;
 use mps_kernel::{Real, Vector};
@@ -70,6 +70,8 @@ pub(crate) struct Settings {
     pub(crate) collisions: bool,
     /// Sub-shifts a step; 0 for none.
     pub(crate) shifting: u32,
+    /// Form of pressure gradient and divergence.
+    pub(crate) pressure_form: PressureForm,
 }
 
 /// Numerical sound speed \[m/s\].
@@ -92,6 +94,7 @@ impl<T: Real> DamBreak<T> {
         config.density = T::of(DENSITY);
         config.gravity = Vector::from([T::zero(), T::of(-GRAVITY)]);
         config.cfl = T::of(settings.cfl);
+        config.pressure_form = settings.pressure_form;
         config.diffusion = T::of(settings.diffusion);
         config.tension = settings.tension;
         config.collisions = settings.collisions.then(Dpc::default);

@@ -4,6 +4,7 @@ use crate::reference::{EXPERIMENT_MAXIMUM, KHAYYER_2018, Maximum, NG_2020, SPHIN
 use crate::setup::{GATE_THICKNESS, Rubber, Settings};
 use clap::{Parser, ValueEnum};
 use mps_examples::{Common, Refused};
+use mps_fluid::PressureForm;
 use std::path::PathBuf;
 
 /// Dam break through an elastic gate (Antoci, Gallati, Sibilla 2007; case 4 of the paper).
@@ -38,6 +39,10 @@ pub(crate) struct Options {
     /// Parts of the particle shifting (icPS) in a step, 5 in the paper; 0 for no shifting
     #[arg(long, value_name = "K", default_value_t = 0)]
     pub(crate) shifting: u32,
+    /// Correct pressure gradient and divergence by the moment matrix of each particle; flows that stir need
+    /// shifting with it
+    #[arg(long)]
+    pub(crate) corrected: bool,
     /// Directory of an earlier run, to draw its curve beside this one; may be repeated
     #[arg(long, value_name = "DIR")]
     pub(crate) beside: Vec<PathBuf>,
@@ -175,6 +180,7 @@ impl Options {
             cfl: self.cfl,
             alpha: self.alpha,
             shifting: self.shifting,
+            pressure_form: if self.corrected { PressureForm::Corrected } else { PressureForm::Plain },
         })
     }
 }

@@ -3,7 +3,8 @@
 use mps_coupling::{ElasticBody, Scene};
 use mps_examples::Failure;
 use mps_fluid::{
-    ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Shifting, Slip, Tait,
+    ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, PressureForm,
+    Shifting, Slip, Tait,
 };
 use mps_kernel::weights::{Rational, WendlandC2};
 use mps_kernel::{Real, Vector};
@@ -61,6 +62,8 @@ pub(crate) struct Settings {
     pub(crate) alpha: f64,
     /// Parts of the particle shifting in a step, 0 for none.
     pub(crate) shifting: u32,
+    /// Form of pressure gradient and divergence.
+    pub(crate) pressure_form: PressureForm,
 }
 
 /// Numerical sound speed \[m/s\].
@@ -82,6 +85,7 @@ fn water<T: Real>(settings: &Settings) -> Result<Fluid<T, 2, Rational, Artificia
     let mut config = FluidConfig::water(T::of(l0), T::of(sound_speed(settings)));
     config.gravity = Vector::from([T::zero(), T::of(-GRAVITY)]);
     config.cfl = T::of(settings.cfl);
+    config.pressure_form = settings.pressure_form;
     config.shifting =
         (settings.shifting > 0).then(|| Shifting { iterations: settings.shifting, ..Shifting::default() });
 
