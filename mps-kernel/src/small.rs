@@ -2,7 +2,7 @@
 //!
 //! What nalgebra does for scalars, written so that it is inlined whatever instructions the caller is
 //! compiled for: a call per pair, which generic loops and closures leave behind in such code, costs more
-//! than the pair. For the same reason [`by_axis!`] and [`by_axes!`] are macros.
+//! than the pair. For the same reason [`by_axis!`](crate::by_axis) and [`by_axes!`](crate::by_axes) are macros.
 
 use crate::{Number, Tensor, Vector};
 use core::ops::{Add, Mul};
