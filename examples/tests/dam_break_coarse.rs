@@ -1,24 +1,12 @@
 //! The whole dam break at 30 particles over the height of the column, against the experiment. Half a
 //! minute long, hence only on request: `cargo test -p mps-examples --test dam_break_coarse -- --ignored`.
 
-use mps_io::Summary;
-use std::path::Path;
-use std::process::Command;
+mod common;
 
 #[test]
 #[ignore = "takes half a minute"]
 fn a_coarse_dam_break_arrives_on_time_and_keeps_its_books() {
-    let dir = Path::new(env!("CARGO_TARGET_TMPDIR")).join("dam-break-coarse");
-    let _ = std::fs::remove_dir_all(&dir);
-    let status = Command::new(env!("CARGO_BIN_EXE_dam-break"))
-        .args(["--spacing", "0.02", "--no-fields", "--quiet", "--out"])
-        .arg(&dir)
-        .status()
-        .unwrap();
-    assert!(status.success());
-
-    let summary = Summary::read(dir.join("summary.json")).unwrap();
-    assert_eq!(summary.status, "completed");
+    let summary = common::completed(env!("CARGO_BIN_EXE_dam-break"), "dam-break", &["--spacing", "0.02"]);
     let value = |name: &str| summary.metrics[name].value;
     let late = summary.metrics["arrival_sensor1"].error.unwrap();
     assert!(late.abs() < 0.03, "the water arrives {:+.1} % of the time late", late * 100.0);

@@ -1,23 +1,19 @@
 //! The command line of the elastic gate: what it refuses, and what a run leaves behind.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
+mod common;
+
+use common::{execute, words};
 use mps_io::{CsvTable, Summary};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// A directory of its own for every test, emptied first.
 fn fresh(name: &str) -> PathBuf {
-    let dir = Path::new(env!("CARGO_TARGET_TMPDIR")).join("elastic-gate-cli").join(name);
-    let _ = std::fs::remove_dir_all(&dir);
-    dir
+    common::fresh("elastic-gate-cli", name)
 }
 
 fn gate(out: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_elastic-gate")).args(arguments).arg("--out").arg(out).output().unwrap()
-}
-
-fn words(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
+    execute(env!("CARGO_BIN_EXE_elastic-gate"), out, arguments)
 }
 
 /// A run of the coarsest gate that must succeed.

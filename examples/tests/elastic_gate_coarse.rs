@@ -1,30 +1,16 @@
 //! The whole elastic gate, coarse: against a published run with the same rubber, and with few sub-steps.
 //! Long, hence only on request: `cargo test -p mps-examples --test elastic_gate_coarse -- --ignored`.
-#![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
+mod common;
+
+use common::completed;
 use mps_io::Summary;
-use std::path::Path;
-use std::process::Command;
+
+const GATE: &str = env!("CARGO_BIN_EXE_elastic-gate");
 
 /// Largest displacements of the free end \[m\]: Ng et al. 2020 (SPH-VCPM) with 12 MPa and 0.4, as in
 /// the example's `reference.rs`.
 const PUBLISHED: [(&str, f64, f64); 2] = [("gate_x_max", 0.03895, 0.08), ("gate_y_max", 0.01371, 0.15)];
-
-/// Runs the program and reads its summary.
-fn run(name: &str, arguments: &[&str]) -> Summary {
-    let dir = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&dir);
-    let status = Command::new(env!("CARGO_BIN_EXE_elastic-gate"))
-        .args(arguments)
-        .args(["--no-fields", "--quiet", "--out"])
-        .arg(&dir)
-        .status()
-        .unwrap();
-    assert!(status.success());
-    let summary = Summary::read(dir.join("summary.json")).unwrap();
-    assert_eq!(summary.status, "completed");
-    summary
-}
 
 /// What holds for every gate.
 fn keeps_its_books(summary: &Summary) {
@@ -39,7 +25,7 @@ fn keeps_its_books(summary: &Summary) {
 #[test]
 #[ignore = "takes some seconds"]
 fn a_coarse_gate_opens_as_far_as_published() {
-    let summary = run("elastic-gate-coarse", &["--spacing", "2.5e-3", "--material", "e12-nu40"]);
+    let summary = completed(GATE, "elastic-gate-coarse", &["--spacing", "2.5e-3", "--material", "e12-nu40"]);
     for (name, published, share) in PUBLISHED {
         let value = summary.metrics[name].value;
         let error = value / published - 1.0;
@@ -54,5 +40,5 @@ fn a_coarse_gate_opens_as_far_as_published() {
 #[ignore = "takes half a minute"]
 fn a_gate_coarser_than_the_water_is_not_fed_by_it() {
     let coarse = ["--spacing", "1.25e-3", "--across", "3", "--material", "e7.8-nu40", "--end-time", "0.2"];
-    keeps_its_books(&run("elastic-gate-few-substeps", &coarse));
+    keeps_its_books(&completed(GATE, "elastic-gate-few-substeps", &coarse));
 }

@@ -1,0 +1,34 @@
+//! How the tests of the programs run them.
+#![allow(dead_code, reason = "each test uses what it needs")]
+#![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
+
+use mps_io::Summary;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// A directory of its own for every test of a `group`, emptied first.
+pub(crate) fn fresh(group: &str, name: &str) -> PathBuf {
+    let dir = Path::new(env!("CARGO_TARGET_TMPDIR")).join(group).join(name);
+    let _ = std::fs::remove_dir_all(&dir);
+    dir
+}
+
+/// Runs a program with its results in `out`.
+pub(crate) fn execute(program: &str, out: &Path, arguments: &[&str]) -> Output {
+    Command::new(program).args(arguments).arg("--out").arg(out).output().unwrap()
+}
+
+/// What a program printed.
+pub(crate) fn words(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// Runs a whole case without fields and reads the summary it has to complete.
+pub(crate) fn completed(program: &str, name: &str, arguments: &[&str]) -> Summary {
+    let dir = fresh("whole-cases", name);
+    let output = execute(program, &dir, &[arguments, &["--no-fields", "--quiet"]].concat());
+    assert!(output.status.success(), "{arguments:?}: {}", words(&output.stderr));
+    let summary = Summary::read(dir.join("summary.json")).unwrap();
+    assert_eq!(summary.status, "completed");
+    summary
+}
