@@ -48,8 +48,8 @@ impl<T: Real, const D: usize> Body<T, D> {
 /// what they felt, pair by pair, and closes its continuity equation with their *mean* velocity over
 /// the step (the velocity-consistent grouping). Their acceleration does not enter the pressure they
 /// show: the pressure answers their motion sub-step by sub-step, and an acceleration that lags by a
-/// step is an added mass with a delay, which was measured to drive the gate unstable. Impulse lost by one side is gained by the other to
-/// round-off, and compression gained by the fluid is work done by the structure.
+/// step is an added mass with a delay, which was measured to drive the gate unstable. Impulse lost by one
+/// side is gained by the other to round-off, and compression gained by the fluid is work done by the structure.
 pub struct Scene<
     T: Real,
     const D: usize,

@@ -22,7 +22,8 @@ pub enum PressureForm {
     #[default]
     Plain,
     /// Corrected by each particle's moment matrix: no such resistance, one more sweep a step. Flows
-    /// that stir need [`Shifting`] with it.
+    /// that stir need [`Shifting`] with it, and violent ones tear all the same: a dam break gains energy and
+    /// leaks with it (`docs/dam-break.md`). For smooth flows so far.
     Corrected,
 }
 

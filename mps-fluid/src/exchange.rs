@@ -9,7 +9,8 @@
 //!
 //! with geometry and fluid velocity of the start of the step: the boundary's part of eq. 23. The
 //! structure feels `p_i + dp_i` in every sub-step, the fluid the mean of it over the step, pair by
-//! pair the same impulse. At the end the continuity equation, closed with the structure's mean
+//! pair the same impulse. The pressure is that of the start of the sub-step, so the structure has to be kicked by it
+//! before it moves; held over the sub-step it would lag once more (`docs/coupling.md`). At the end the continuity equation, closed with the structure's mean
 //! velocity, finds the same compression.
 
 use crate::eos::EquationOfState;

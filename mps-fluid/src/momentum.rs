@@ -190,14 +190,14 @@ where
                 other.scalar(|state| state.density),
                 other.scalar(|state| state.inverse_density),
             );
-            let vector = pair.gradient_vector();
+            let direction = pair.gradient_vector();
             if CORRECTED {
                 let factor = self.pressure_factor;
                 let there = other.of(self.correction).tensor();
                 let by_own = density * (own.inverse_density * own.pressure * factor);
                 let by_other = inverse_density * pressure * (own.density * factor);
-                accumulate(&mut stress, &scale(&vector, by_own));
-                accumulate(&mut total, &transform(&there, &scale(&vector, by_other)));
+                accumulate(&mut stress, &scale(&direction, by_own));
+                accumulate(&mut total, &transform(&there, &scale(&direction, by_other)));
             } else {
                 let pij = ConservativeGradient::pair_pressure(
                     own.pressure,
@@ -207,7 +207,7 @@ where
                     density,
                     inverse_density,
                 );
-                accumulate(&mut total, &scale(&vector, pij * self.pressure_factor));
+                accumulate(&mut total, &scale(&direction, pij * self.pressure_factor));
             }
             self.viscosity.add(&mut total, &pair, &own.velocity, &other.vector(|state| &state.velocity));
             if DIFFUSION {

@@ -43,8 +43,8 @@ pub(crate) struct Options {
     /// Shift the particles towards an even distribution, in K parts a step (the paper has 5); 0 does not
     #[arg(long, value_name = "K", default_value_t = 0)]
     pub(crate) shifting: u32,
-    /// Correct pressure gradient and divergence by the moment matrix of each particle; flows that stir need
-    /// shifting with it
+    /// Correct pressure gradient and divergence by the moment matrix of each particle: for smooth flows; violent
+    /// ones tear with it so far
     #[arg(long)]
     pub(crate) corrected: bool,
     #[command(flatten)]

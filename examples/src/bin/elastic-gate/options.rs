@@ -39,8 +39,8 @@ pub(crate) struct Options {
     /// Parts of the particle shifting (icPS) in a step, 5 in the paper; 0 for no shifting
     #[arg(long, value_name = "K", default_value_t = 0)]
     pub(crate) shifting: u32,
-    /// Correct pressure gradient and divergence by the moment matrix of each particle; flows that stir need
-    /// shifting with it
+    /// Correct pressure gradient and divergence by the moment matrix of each particle: for smooth flows; violent
+    /// ones tear with it so far
     #[arg(long)]
     pub(crate) corrected: bool,
     /// Directory of an earlier run, to draw its curve beside this one; may be repeated
