@@ -4,21 +4,24 @@
 //! |---|---|---|---|
 //! | [`Rational`] | 1/q - 1 | singular | paper's fluid (eq. 12), Koshizuka and Oka 1996 |
 //! | [`WendlandC2`] | (1-q)^4 (1+4q) | 1 | solid, Riemann SPH relatives |
+//! | [`WendlandGradient`] | q^2 (1-q)^3 | 0 | smooth flows; as smoothed particles with the C2 function |
 //! | [`Spiky`] | (1-q)^3 | 1 | Jandaghian and Shakibaeinia 2020 |
 //! | [`Gaussian`] | exp(-9 q^2), cut at q = 1 | 1 | nonlocal (peridynamic) relatives |
 //!
-//! Every weight is zero for `r >= re`, non-negative and decreasing in between: pinned, with the
+//! Every weight is zero for `r >= re` and positive in between, and `W/r^2` decreases: pinned, with the
 //! bounded value at `r = 0`, by `tests/properties/weights.rs`.
 
 mod gaussian;
 mod rational;
 mod spiky;
 mod wendland;
+mod wendland_gradient;
 
 pub use gaussian::Gaussian;
 pub use rational::Rational;
 pub use spiky::Spiky;
 pub use wendland::WendlandC2;
+pub use wendland_gradient::WendlandGradient;
 
 use crate::{Number, Real};
 

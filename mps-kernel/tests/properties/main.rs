@@ -15,6 +15,7 @@
 //! | `degenerate` | poor neighbourhoods and coincident particles are refused or bounded, never NaN |
 //! | `far_from_origin` | nothing depends on where the origin is |
 //! | `lanes` | several pairs at a time give the bits of one at a time |
+//! | `strained_lattice` | which weights make a fluid of the plain sums, and which a soft solid |
 //! | `tensor`, `polar` | the small tensors |
 
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
@@ -30,6 +31,7 @@ mod lanes;
 mod polar;
 mod polynomials;
 mod reference_density;
+mod strained_lattice;
 mod tensor;
 mod von_neumann;
 mod weights;

@@ -1,4 +1,4 @@
-use mps_kernel::weights::{Gaussian, Rational, Spiky, WendlandC2};
+use mps_kernel::weights::{Gaussian, Rational, Spiky, WendlandC2, WendlandGradient};
 use mps_kernel::{Kernel, Number, Real, Vector};
 use proptest::prelude::*;
 
@@ -7,12 +7,14 @@ use proptest::prelude::*;
 pub(crate) enum Weight {
     Rational,
     WendlandC2,
+    WendlandGradient,
     Spiky,
     Gaussian,
 }
 
 impl Weight {
-    pub(crate) const ALL: [Self; 4] = [Self::Rational, Self::WendlandC2, Self::Spiky, Self::Gaussian];
+    pub(crate) const ALL: [Self; 5] =
+        [Self::Rational, Self::WendlandC2, Self::WendlandGradient, Self::Spiky, Self::Gaussian];
 }
 
 impl<T: Real> Kernel<T> for Weight {
@@ -20,6 +22,7 @@ impl<T: Real> Kernel<T> for Weight {
         match self {
             Self::Rational => Rational.weight(r, re),
             Self::WendlandC2 => WendlandC2.weight(r, re),
+            Self::WendlandGradient => WendlandGradient.weight(r, re),
             Self::Spiky => Spiky.weight(r, re),
             Self::Gaussian => Gaussian.weight(r, re),
         }
@@ -29,6 +32,7 @@ impl<T: Real> Kernel<T> for Weight {
         match self {
             Self::Rational => Rational.weight_and_over_r2(r2, re),
             Self::WendlandC2 => WendlandC2.weight_and_over_r2(r2, re),
+            Self::WendlandGradient => WendlandGradient.weight_and_over_r2(r2, re),
             Self::Spiky => Spiky.weight_and_over_r2(r2, re),
             Self::Gaussian => Gaussian.weight_and_over_r2(r2, re),
         }
@@ -38,6 +42,7 @@ impl<T: Real> Kernel<T> for Weight {
         match self {
             Self::Rational => Kernel::<T>::name(&Rational),
             Self::WendlandC2 => Kernel::<T>::name(&WendlandC2),
+            Self::WendlandGradient => Kernel::<T>::name(&WendlandGradient),
             Self::Spiky => Kernel::<T>::name(&Spiky),
             Self::Gaussian => Kernel::<T>::name(&Gaussian),
         }
