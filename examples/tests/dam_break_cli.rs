@@ -32,6 +32,8 @@ fn what_cannot_be_run_is_refused_with_the_flag_and_a_remedy() {
         ("--spacing", "inf", "metres"),
         ("--spacing", "0.05", "give at most 3e-2 m"),
         ("--spacing", "1e-9", "give at least"),
+        ("--radius", "1", "e.g. 4"),
+        ("--radius", "nan", "e.g. 4"),
         ("--end-time", "0", "seconds"),
         ("--end-time", "-0.1", "seconds"),
         ("--end-time", "nan", "seconds"),
@@ -64,6 +66,7 @@ fn what_cannot_be_run_is_refused_with_the_flag_and_a_remedy() {
 fn what_is_no_value_of_a_flag_is_refused_with_those_that_are() {
     for (arguments, words_of_help) in [
         (&["--release", "slow"][..], "instant, lifted"),
+        (&["--weight", "gaussian"], "smooth, rational"),
         (&["--precision", "f16"], "f32, f64"),
         (&["--shifting", "-1"], "--shifting"),
         (&["--no-dcp"], "--no-dpc"),

@@ -12,9 +12,13 @@ fn a_coarse_dam_break_arrives_on_time_and_keeps_its_books() {
     assert!(late.abs() < 0.03, "the water arrives {:+.1} % of the time late", late * 100.0);
     let front = value("front_rms");
     assert!(front < 0.06, "the front is off by {front} of the length of the column");
+    let peak = value("peak_sensor1");
+    assert!((2.09..3.7).contains(&peak), "the first peak {peak} is outside of the experiments");
+    let noise = value("pressure_noise");
+    assert!(noise < 0.15, "the pressure is noisy by {noise} rho g H");
     assert_eq!(value("leaked_particles"), 0.0);
     let rise = value("energy_closure");
     assert!(rise <= 1e-9, "the total energy has risen by {rise:e} of what the water can give");
     let drift = value("volume_drift");
-    assert!(drift.abs() < 0.02, "the volume has changed by {drift}");
+    assert!(drift.abs() < 0.04, "the volume has changed by {drift}");
 }

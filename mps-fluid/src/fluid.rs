@@ -276,6 +276,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         &self.config
     }
 
+    /// The weight of the sums over neighbours.
+    pub fn kernel(&self) -> &K {
+        &self.kernel
+    }
+
     /// The particles, in their present order.
     pub fn particles(&self) -> &FluidParticles<T, D> {
         &self.particles

@@ -5,7 +5,7 @@ use crate::setup::{DamBreak, HEIGHT, PRESSURE, TANK};
 use mps_examples::Failure;
 use mps_fluid::surface::Surface;
 use mps_io::{ColorMap, FieldOptions, FieldPicture, FieldWriter, Film, Image, PointCloud, View};
-use mps_kernel::Real;
+use mps_kernel::{Kernel, Real};
 use mps_neighbors::Parallel;
 use std::path::{Path, PathBuf};
 
@@ -26,7 +26,7 @@ pub(crate) struct Fields {
 }
 
 impl Fields {
-    pub(crate) fn new<T: Real>(dir: &Path, dam: &DamBreak<T>) -> Result<Self, Failure> {
+    pub(crate) fn new<T: Real, K: Kernel<T>>(dir: &Path, dam: &DamBreak<T, K>) -> Result<Self, Failure> {
         let fields = dir.join("fields");
         let walls = &dam.fluid().boundary().position;
         FieldWriter::new(&fields, "walls", FieldOptions::default())?.write(0.0, &PointCloud::new(walls))?;
@@ -40,9 +40,9 @@ impl Fields {
     }
 
     /// One frame of water.pvd.
-    pub(crate) fn write<T: Real>(
+    pub(crate) fn write<T: Real, K: Kernel<T>>(
         &mut self,
-        dam: &mut DamBreak<T>,
+        dam: &mut DamBreak<T, K>,
         parallel: &Parallel,
     ) -> Result<(), Failure> {
         let time = dam.fluid().time().to_double();
@@ -64,14 +64,18 @@ impl Fields {
     }
 
     /// One frame of film.png.
-    pub(crate) fn frame<T: Real>(&mut self, dam: &DamBreak<T>) -> Result<(), Failure> {
+    pub(crate) fn frame<T: Real, K: Kernel<T>>(&mut self, dam: &DamBreak<T, K>) -> Result<(), Failure> {
         let image = self.picture(dam, [-MARGIN, -MARGIN], [TANK + MARGIN, SEEN])?;
         self.film.push(&image)?;
         Ok(())
     }
 
     /// A picture of its own at `moment`, over `sqrt(H/g)`; of the returning jet also a closer one.
-    pub(crate) fn snapshot<T: Real>(&mut self, dam: &DamBreak<T>, moment: f64) -> Result<(), Failure> {
+    pub(crate) fn snapshot<T: Real, K: Kernel<T>>(
+        &mut self,
+        dam: &DamBreak<T, K>,
+        moment: f64,
+    ) -> Result<(), Failure> {
         let image = self.picture(dam, [-MARGIN, -MARGIN], [TANK + MARGIN, SEEN])?;
         image.write_png(self.dir.join(format!("snapshot_t{moment:.1}.png")))?;
         if moment == JET {
@@ -81,9 +85,9 @@ impl Fields {
         Ok(())
     }
 
-    fn picture<T: Real>(
+    fn picture<T: Real, K: Kernel<T>>(
         &self,
-        dam: &DamBreak<T>,
+        dam: &DamBreak<T, K>,
         lower: [f64; 2],
         upper: [f64; 2],
     ) -> Result<Image, Failure> {

@@ -15,10 +15,11 @@ use clap::Parser;
 use fields::Fields;
 use mps_examples::{Due, Failure, Moments, Precision, closing_words, report_failure};
 use mps_io::Progress;
-use mps_kernel::Real;
+use mps_kernel::weights::{Rational, WendlandGradient};
+use mps_kernel::{Kernel, Real};
 use mps_neighbors::Parallel;
 use observe::Observer;
-use options::Options;
+use options::{Options, Weight};
 use setup::{DamBreak, Settings, TIME};
 use std::path::Path;
 use std::process::ExitCode;
@@ -39,8 +40,8 @@ const JET: f64 = 6.0;
 fn main() -> ExitCode {
     let options = Options::parse();
     let done = match options.common.precision {
-        Precision::F32 => run::<f32>(&options),
-        Precision::F64 => run::<f64>(&options),
+        Precision::F32 => run_with_weight::<f32>(&options),
+        Precision::F64 => run_with_weight::<f64>(&options),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -51,11 +52,18 @@ fn main() -> ExitCode {
     }
 }
 
-fn run<T: Real>(options: &Options) -> Result<(), Failure> {
+fn run_with_weight<T: Real>(options: &Options) -> Result<(), Failure> {
+    match options.weight {
+        Weight::Smooth => run::<T, _>(options, WendlandGradient),
+        Weight::Rational => run::<T, _>(options, Rational),
+    }
+}
+
+fn run<T: Real, K: Kernel<T>>(options: &Options, weight: K) -> Result<(), Failure> {
     let settings = options.settings()?;
     let parallel = options.common.parallel()?;
     let dir = options.common.output("dam-break")?;
-    let mut dam = DamBreak::<T>::new(&settings)?;
+    let mut dam = DamBreak::<T, K>::new(&settings, weight)?;
     let mut observer = Observer::new(&dir, &mut dam, &parallel)?;
     let mut stepping = 0.0;
     // Inside the pool the loops of a step need no hand-over between threads.
@@ -75,11 +83,11 @@ fn run<T: Real>(options: &Options) -> Result<(), Failure> {
 }
 
 /// The time loop with everything that watches it.
-fn advance<T: Real>(
+fn advance<T: Real, K: Kernel<T>>(
     options: &Options,
     settings: &Settings,
     dir: &Path,
-    dam: &mut DamBreak<T>,
+    dam: &mut DamBreak<T, K>,
     observer: &mut Observer,
     parallel: &Parallel,
     stepping: &mut f64,

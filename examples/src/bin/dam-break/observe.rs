@@ -7,7 +7,7 @@ use mps_examples::Failure;
 use mps_fluid::FluidEnergy;
 use mps_fluid::surface::Surface;
 use mps_io::CsvWriter;
-use mps_kernel::Real;
+use mps_kernel::{Kernel, Real};
 use mps_neighbors::Parallel;
 use std::path::Path;
 
@@ -61,9 +61,9 @@ pub(crate) struct Observer {
 }
 
 impl Observer {
-    pub(crate) fn new<T: Real>(
+    pub(crate) fn new<T: Real, K: Kernel<T>>(
         dir: &Path,
-        dam: &mut DamBreak<T>,
+        dam: &mut DamBreak<T, K>,
         parallel: &Parallel,
     ) -> Result<Self, Failure> {
         let energy = dam.fluid().energy(parallel);
@@ -81,7 +81,7 @@ impl Observer {
     }
 
     /// Called every few steps: energy and leaks, which must not be missed between two rows.
-    pub(crate) fn watch<T: Real>(&mut self, dam: &DamBreak<T>, parallel: &Parallel) {
+    pub(crate) fn watch<T: Real, K: Kernel<T>>(&mut self, dam: &DamBreak<T, K>, parallel: &Parallel) {
         let total = dam.fluid().energy(parallel).total().to_double();
         self.energy_rise = self.energy_rise.max((total - self.lowest_energy) / self.energy_scale);
         self.lowest_energy = self.lowest_energy.min(total);
@@ -94,9 +94,9 @@ impl Observer {
     }
 
     /// Writes a row of `probes.csv`.
-    pub(crate) fn record<T: Real>(
+    pub(crate) fn record<T: Real, K: Kernel<T>>(
         &mut self,
-        dam: &DamBreak<T>,
+        dam: &DamBreak<T, K>,
         parallel: &Parallel,
         dt: f64,
     ) -> Result<(), Failure> {
@@ -137,9 +137,9 @@ impl Observer {
     }
 
     /// Called at the end of a completed run.
-    pub(crate) fn finish<T: Real>(
+    pub(crate) fn finish<T: Real, K: Kernel<T>>(
         &mut self,
-        dam: &mut DamBreak<T>,
+        dam: &mut DamBreak<T, K>,
         parallel: &Parallel,
     ) -> Result<(), Failure> {
         self.volume_drift = Some(self.first_packing / inner_packing(dam, parallel)? - 1.0);
@@ -159,7 +159,10 @@ impl Observer {
 
 /// Median of the packing (sum of weights over that of the lattice) of the particles that are not at the
 /// surface. A volume that grows shows as a packing that falls.
-fn inner_packing<T: Real>(dam: &mut DamBreak<T>, parallel: &Parallel) -> Result<f64, Failure> {
+fn inner_packing<T: Real, K: Kernel<T>>(
+    dam: &mut DamBreak<T, K>,
+    parallel: &Parallel,
+) -> Result<f64, Failure> {
     let mut surface = Vec::new();
     dam.fluid_mut().classify_surface(parallel, &mut surface)?;
     let packing = dam.fluid().packing().iter().zip(&surface);

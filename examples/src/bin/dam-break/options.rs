@@ -16,6 +16,12 @@ pub(crate) struct Options {
     /// Spacing of the particles (m)
     #[arg(long, value_name = "M", default_value_t = 5e-3)]
     pub(crate) spacing: f64,
+    /// Weight of the particle sums
+    #[arg(long, value_enum, default_value_t = Weight::Smooth)]
+    pub(crate) weight: Weight,
+    /// Effective radius over the spacing; by default 4 with the smooth weight and 3 with the rational one
+    #[arg(long, value_name = "RATIO")]
+    pub(crate) radius: Option<f64>,
     /// Simulated time (s); the unit of the plots, sqrt(H/g), is 0.247 s
     #[arg(long, value_name = "S", default_value_t = 1.75)]
     pub(crate) end_time: f64,
@@ -51,7 +57,24 @@ pub(crate) struct Options {
     pub(crate) common: Common,
 }
 
+/// Which weight the sums over neighbours have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Weight {
+    /// Gradient of Wendland's function: sums of a strained arrangement stay those of a fluid
+    Smooth,
+    /// That of the paper, re/r - 1: a strained arrangement resists shear in proportion to its pressure
+    Rational,
+}
+
 impl Options {
+    /// Effective radius over the spacing.
+    fn radius(&self) -> f64 {
+        self.radius.unwrap_or(match self.weight {
+            Weight::Smooth => 4.0,
+            Weight::Rational => 3.0,
+        })
+    }
+
     /// Refuses what cannot be run, before anything is built.
     pub(crate) fn settings(&self) -> Result<Settings, Refused> {
         let positive = |x: f64| x.is_finite() && x > 0.0;
@@ -73,6 +96,12 @@ impl Options {
             "--spacing",
             l0,
             "more than four million particles would be needed; give at least 4e-4 m",
+        )?;
+        Refused::unless(
+            (2.0..=6.0).contains(&self.radius()),
+            "--radius",
+            self.radius(),
+            "give an effective radius between 2 and 6 spacings, e.g. 4",
         )?;
         Refused::unless(
             positive(self.end_time),
@@ -125,6 +154,7 @@ impl Options {
         )?;
         Ok(Settings {
             spacing: l0,
+            radius: self.radius(),
             end_time: self.end_time,
             release: self.release,
             sound_ratio: self.sound_ratio,

@@ -5,10 +5,10 @@ use crate::observe::Observer;
 use crate::options::Options;
 use crate::reference::{FRONT, SENSORS, SOURCE};
 use crate::sensors::HEIGHTS;
-use crate::setup::{DamBreak, HEIGHT, LENGTH, Release, Settings, TANK, TIME, sound_speed};
+use crate::setup::{DamBreak, HEIGHT, LENGTH, OPENING_TIME, Release, Settings, TANK, TIME, sound_speed};
 use mps_examples::Failure;
 use mps_io::{CurvePlot, Metric, Summary};
-use mps_kernel::Real;
+use mps_kernel::{Kernel, Real};
 use std::path::Path;
 
 /// The front, and each sensor with the scatter of the experiments.
@@ -44,10 +44,10 @@ pub(crate) fn plot(dir: &Path, options: &Options, observer: &Observer) -> Result
 }
 
 /// Settings, cost and results, whether the run was completed or not.
-pub(crate) fn summary<T: Real>(
+pub(crate) fn summary<T: Real, K: Kernel<T>>(
     options: &Options,
     settings: &Settings,
-    dam: &DamBreak<T>,
+    dam: &DamBreak<T, K>,
     observer: &Observer,
     threads: usize,
     stepping_seconds: f64,
@@ -70,6 +70,7 @@ pub(crate) fn summary<T: Real>(
     summary.set("collisions", settings.collisions);
     summary.set("shifting_iterations", settings.shifting);
     summary.set("pressure_form", if options.corrected { "corrected" } else { "plain" });
+    summary.set("weight", fluid.kernel().name());
     summary.set("radius_ratio", fluid.config().radius_ratio.to_double());
     summary.threads = threads;
     summary.precision = options.common.precision.name().to_owned();
@@ -83,7 +84,7 @@ pub(crate) fn summary<T: Real>(
         summary.status = failure.to_string();
     }
     let (wall, speed) = (summary.wall_seconds_per_simulated_second, summary.particle_steps_per_second);
-    let mut results = results(observer);
+    let mut results = results(settings, observer);
     results.push(("wall_seconds_per_simulated_second".into(), Some(Metric::new(wall, "-"))));
     results.push(("particle_steps_per_second".into(), Some(Metric::new(speed, "1/s"))));
     for (name, metric) in results {
@@ -96,7 +97,7 @@ pub(crate) fn summary<T: Real>(
 }
 
 /// Results by name; `None` where the run has not come so far.
-fn results(observer: &Observer) -> Vec<(String, Option<Metric>)> {
+fn results(settings: &Settings, observer: &Observer) -> Vec<(String, Option<Metric>)> {
     let samples = &observer.samples;
     let plain = |value: f64| Metric::new(value, "-");
     let ideal = |value: f64, source: &str| plain(value).compared_with(0.0, source);
@@ -117,9 +118,11 @@ fn results(observer: &Observer) -> Vec<(String, Option<Metric>)> {
             inside.map(|share| plain(share).compared_with(1.0, SOURCE)),
         ));
     }
-    let front = front_error(samples);
+    let front = front_error(samples, if settings.release == Release::Instant { OPENING_TIME } else { 0.0 });
     let mut put = |name: &str, metric: Option<Metric>| results.push((name.to_owned(), metric));
     put("front_rms", front.map(|f| ideal(f.rms, SOURCE)));
+    put("front_shift", front.map(|f| plain(f.shift)));
+    put("front_rms_unshifted", front.map(|f| ideal(f.rms_unshifted, SOURCE)));
     put("front_error_paper1", front.map(|f| ideal(f.mean, SOURCE)));
     put("front_lead", front.map(|f| ideal(f.lead, SOURCE)));
     put("pressure_noise", pressure_noise(samples).map(|rms| ideal(rms, "no noise")));

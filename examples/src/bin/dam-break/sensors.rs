@@ -63,6 +63,7 @@ mod tests {
     use super::*;
     use crate::setup::{DENSITY, DamBreak, GRAVITY, LENGTH, Release, Settings, TANK};
     use mps_fluid::Tension;
+    use mps_kernel::weights::WendlandGradient;
     use mps_neighbors::Parallel;
 
     /// The column moved against the far wall presses on it with its weight. The fine points of the wall
@@ -73,8 +74,10 @@ mod tests {
         for l0 in [0.02, 0.01] {
             let settings = Settings {
                 spacing: l0,
+                radius: 4.0,
                 end_time: 1.0,
-                release: Release::Instant,
+                // The pressure of the column at rest.
+                release: Release::Lifted,
                 sound_ratio: 10.0,
                 cfl: 0.5,
                 diffusion: 0.5,
@@ -84,7 +87,7 @@ mod tests {
                 shifting: 0,
                 pressure_form: mps_fluid::PressureForm::Plain,
             };
-            let mut dam = DamBreak::<f64>::new(&settings).unwrap();
+            let mut dam = DamBreak::<f64, _>::new(&settings, WendlandGradient).unwrap();
             for r in &mut dam.fluid_mut().particles_mut().position {
                 r.x += TANK - LENGTH;
             }

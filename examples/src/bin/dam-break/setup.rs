@@ -5,8 +5,7 @@ use mps_fluid::{
     ArtificialViscosity, Boundary, Dpc, EquationOfState, Fluid, FluidConfig, FluidError, FluidParticles,
     PressureForm, Shifting, Slip, Tait, Tension,
 };
-use mps_kernel::weights::Rational;
-use mps_kernel::{Real, Vector};
+use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::{Open, Parallel};
 use std::ops::Range;
 
@@ -29,14 +28,14 @@ pub(crate) const TIME: f64 = 0.247_309_683_4;
 pub(crate) const PRESSURE: f64 = DENSITY * GRAVITY * HEIGHT;
 /// Speed of the lifted gate \[m/s\]: the median 3.46 m/s of the experiment, at this scale.
 const GATE_SPEED: f64 = 3.46 * std::f64::consts::SQRT_2;
+/// Until the gate of the experiment is clear of the water, over `sqrt(H/g)`.
+pub(crate) const OPENING_TIME: f64 = HEIGHT / GATE_SPEED / TIME;
 
 /// Spacing of the points of the walls, over that of the particles: smooth to water that slides by.
 pub(crate) const WALL_SPACING: f64 = 0.5;
-/// Depth of the walls over the spacing of the particles: the effective radius.
-const DEPTH: f64 = 3.0;
 
 /// The water.
-pub(crate) type Water<T> = Fluid<T, 2, Rational, ArtificialViscosity<T>>;
+pub(crate) type Water<T, K> = Fluid<T, 2, K, ArtificialViscosity<T>>;
 
 /// How the column is let go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -52,6 +51,8 @@ pub(crate) enum Release {
 pub(crate) struct Settings {
     /// Spacing of the particles \[m\].
     pub(crate) spacing: f64,
+    /// Effective radius over the spacing.
+    pub(crate) radius: f64,
     /// Simulated time \[s\].
     pub(crate) end_time: f64,
     /// How the column is let go.
@@ -80,18 +81,19 @@ pub(crate) fn sound_speed(settings: &Settings) -> f64 {
 }
 
 /// The water in its tank, and the gate while it is there.
-pub(crate) struct DamBreak<T: Real> {
-    fluid: Water<T>,
+pub(crate) struct DamBreak<T: Real, K: Kernel<T>> {
+    fluid: Water<T, K>,
     /// Points of the boundary that make up the gate; empty without one.
     gate: Range<usize>,
 }
 
-impl<T: Real> DamBreak<T> {
-    /// The column at rest under its own pressure.
-    pub(crate) fn new(settings: &Settings) -> Result<Self, Failure> {
+impl<T: Real, K: Kernel<T>> DamBreak<T, K> {
+    /// The column at rest, under the pressure it has behind the gate or at the moment the gate is gone.
+    pub(crate) fn new(settings: &Settings, weight: K) -> Result<Self, Failure> {
         let l0 = settings.spacing;
         let mut config = FluidConfig::<T, 2>::water(T::of(l0), T::of(sound_speed(settings)));
         config.density = T::of(DENSITY);
+        config.radius_ratio = T::of(settings.radius);
         config.gravity = Vector::from([T::zero(), T::of(-GRAVITY)]);
         config.cfl = T::of(settings.cfl);
         config.pressure_form = settings.pressure_form;
@@ -104,22 +106,29 @@ impl<T: Real> DamBreak<T> {
         let mut particles = FluidParticles::at_rest(fill([0.0, 0.0], [LENGTH, HEIGHT], l0));
         let eos = Tait::new(config.density, config.sound_speed);
         for (n, r) in particles.density.iter_mut().zip(&particles.position) {
-            *n = eos.density(config.density * T::of(GRAVITY) * (T::of(HEIGHT) - r[1]));
+            let [x, y] = [r[0], r[1]].map(Real::to_double);
+            *n = eos.density(T::of(match settings.release {
+                Release::Instant => pressure_when_released(x, y),
+                Release::Lifted => DENSITY * GRAVITY * (HEIGHT - y),
+            }));
         }
         let mut boundary = Boundary::default();
         // A quarter of a particle each.
         let volume = T::of(WALL_SPACING * WALL_SPACING);
-        boundary.add_fine_wall(&tank(l0), volume, Slip::Free);
+        let depth = settings.radius * l0;
+        boundary.add_fine_wall(&tank(l0, depth), volume, Slip::Free);
         let gate = match settings.release {
             Release::Instant => 0..0,
-            Release::Lifted => boundary.add_fine_wall(&gate(l0), volume, Slip::Free).unwrap_or_default(),
+            Release::Lifted => {
+                boundary.add_fine_wall(&gate(l0, depth), volume, Slip::Free).unwrap_or_default()
+            }
         };
-        let wall = far_wall(l0);
+        let wall = far_wall(l0, depth);
         // A structure, because only of those the load is kept.
         boundary.add_structure(&wall, wall.iter().map(|_| volume), Slip::Free);
         let (c, alpha) = (config.sound_speed, T::of(settings.alpha));
         let viscosity = |reference: &_| ArtificialViscosity::new::<2>(alpha, c, reference);
-        let fluid = Fluid::new(config, Rational, viscosity, Open, particles, boundary)?;
+        let fluid = Fluid::new(config, weight, viscosity, Open, particles, boundary)?;
         Ok(Self { fluid, gate })
     }
 
@@ -146,18 +155,38 @@ impl<T: Real> DamBreak<T> {
         }
     }
 
-    pub(crate) fn fluid(&self) -> &Water<T> {
+    pub(crate) fn fluid(&self) -> &Water<T, K> {
         &self.fluid
     }
 
-    pub(crate) fn fluid_mut(&mut self) -> &mut Water<T> {
+    pub(crate) fn fluid_mut(&mut self) -> &mut Water<T, K> {
         &mut self.fluid
     }
 }
 
+/// Pressure \[Pa\] in the column at the moment the gate is gone: harmonic, zero on both open faces, and with the
+/// slopes of a fluid at rest on the bed and the back wall.
+///
+/// Started with the pressure it had behind the gate, the water would first have to become rid of the difference as
+/// sound of up to `rho g H`, which rings in the tank until the end.
+fn pressure_when_released(x: f64, y: f64) -> f64 {
+    const TERMS: u32 = 400;
+    let series: f64 = (0..TERMS)
+        .map(|n| {
+            let m = std::f64::consts::PI * f64::from(2 * n + 1);
+            let k = m / (2.0 * HEIGHT);
+            // cosh(k x)/cosh(k L), which would overflow
+            let ratio =
+                ((k * (x - LENGTH)).exp() + (-k * (x + LENGTH)).exp()) / (1.0 + (-2.0 * k * LENGTH).exp());
+            8.0 * HEIGHT / (m * m) * (k * y).cos() * ratio
+        })
+        .sum();
+    DENSITY * GRAVITY * (HEIGHT - y - series)
+}
+
 /// Bed and back wall: layers of points as deep as the effective radius.
-fn tank<T: Real>(l0: f64) -> Vec<Vector<T, 2>> {
-    let (depth, spacing) = (DEPTH * l0, WALL_SPACING * l0);
+fn tank<T: Real>(l0: f64, depth: f64) -> Vec<Vector<T, 2>> {
+    let spacing = WALL_SPACING * l0;
     let mut points = fill([-depth, 0.0], [0.0, WALL_HEIGHT], spacing);
     // From the far wall backwards, so that its points go on in those of the wall.
     let length = ((TANK + depth) / spacing).ceil() * spacing;
@@ -167,14 +196,13 @@ fn tank<T: Real>(l0: f64) -> Vec<Vector<T, 2>> {
 
 /// The wall with the sensors, down to the lowest layer of the bed. Its surface is where the tank ends,
 /// whether or not that is a whole number of spacings.
-fn far_wall<T: Real>(l0: f64) -> Vec<Vector<T, 2>> {
-    let depth = DEPTH * l0;
+fn far_wall<T: Real>(l0: f64, depth: f64) -> Vec<Vector<T, 2>> {
     fill([TANK, -depth], [TANK + depth, WALL_HEIGHT], WALL_SPACING * l0)
 }
 
 /// The gate in its place, the lowest row first.
-fn gate<T: Real>(l0: f64) -> Vec<Vector<T, 2>> {
-    fill([LENGTH, 0.0], [LENGTH + DEPTH * l0, 1.5 * HEIGHT], WALL_SPACING * l0)
+fn gate<T: Real>(l0: f64, depth: f64) -> Vec<Vector<T, 2>> {
+    fill([LENGTH, 0.0], [LENGTH + depth, 1.5 * HEIGHT], WALL_SPACING * l0)
 }
 
 /// Cell centres of a lattice that fills the box from `lower` with whole cells.
@@ -188,6 +216,24 @@ fn fill<T: Real>(lower: [f64; 2], upper: [f64; 2], l0: f64) -> Vec<Vector<T, 2>>
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_pressure_when_released_is_harmonic_and_vanishes_where_the_column_is_open() {
+        let (p, h) = (pressure_when_released, 1e-3);
+        let scale = PRESSURE;
+        for (x, y) in [(0.3, 0.2), (0.9, 0.4), (1.1, 0.1)] {
+            let laplace = p(x + h, y) + p(x - h, y) + p(x, y + h) + p(x, y - h) - 4.0 * p(x, y);
+            assert!(laplace.abs() < 1e-7 * scale, "{laplace}");
+            assert!(p(x, HEIGHT).abs() < 1e-9 * scale && p(LENGTH, y).abs() < 2e-4 * scale);
+            // Slopes of rest on the bed and none across the back wall.
+            let slope = (p(x, h) - p(x, 0.0)) / h;
+            assert!((slope / (DENSITY * GRAVITY) + 1.0).abs() < 5e-3, "{slope}");
+            assert!((p(h, y) - p(0.0, y)).abs() < 1e-4 * scale);
+        }
+        // Far from the gate it is that of the column at rest.
+        let weight = DENSITY * GRAVITY * (HEIGHT - 0.1);
+        assert!((p(0.0, 0.1) / weight - 1.0).abs() < 0.1);
+    }
 
     #[test]
     fn the_unit_of_time_is_the_root_it_stands_for() {
