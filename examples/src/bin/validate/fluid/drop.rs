@@ -7,13 +7,10 @@ use mps_examples::Failure;
 use mps_fluid::{Boundary, Fluid, FluidParticles};
 use mps_io::CurvePlot;
 use mps_kernel::Vector;
-use mps_kernel::weights::Rational;
+use mps_kernel::weights::WendlandGradient;
 use mps_neighbors::{Open, Parallel};
 
-/// With shifting, or without: then the momenta are kept to round-off.
-pub(crate) struct Drop {
-    pub(crate) shifted: bool,
-}
+pub(crate) struct Drop;
 
 /// Radius at rest \[m\] and the field's frequency \[1/s\]: acceleration `-omega^2 r`.
 pub(crate) const RADIUS: f64 = 1.0;
@@ -78,11 +75,8 @@ fn strain(particles: &FluidParticles<f64, 2>) -> f64 {
     along / size
 }
 
-fn build(per_radius: usize, shifted: bool) -> Result<Water<2>, Failure> {
-    let mut config = water(RADIUS / per_radius as f64, 15.0 * OMEGA * RADIUS);
-    if !shifted {
-        config.shifting = None;
-    }
+fn build(per_radius: usize) -> Result<Water<2>, Failure> {
+    let config = water(RADIUS / per_radius as f64, 15.0 * OMEGA * RADIUS);
     let mut particles = disc(per_radius);
     for (u, r) in particles.velocity.iter_mut().zip(&particles.position) {
         *u = Vector::from([STRAIN * r.x, -STRAIN * r.y]);
@@ -90,7 +84,7 @@ fn build(per_radius: usize, shifted: bool) -> Result<Water<2>, Failure> {
     // At the start, a = b: s' = 0, and p = rho (s^2 + omega^2)(R^2 - r^2)/2.
     let centre = 0.5 * RHO * (STRAIN * STRAIN + OMEGA * OMEGA);
     press(&mut particles, &config, |r| centre * (RADIUS * RADIUS - r.norm_squared()));
-    Ok(Fluid::new(config, Rational, |_| (), Open, particles, Boundary::default())?)
+    Ok(Fluid::new(config, WendlandGradient, |_| (), Open, particles, Boundary::default())?)
 }
 
 /// Kinetic energy and that in the field \[J\].
@@ -101,14 +95,13 @@ fn energy(fluid: &Water<2>, parallel: &Parallel) -> f64 {
 
 impl Case for Drop {
     fn name(&self) -> &'static str {
-        if self.shifted { "drop" } else { "drop-unshifted" }
+        "drop"
     }
 
     fn about(&self) -> &'static str {
         "A disc of radius 1 m in the field -omega^2 r, omega = 1/s, with the velocity (s x, -s y), s = 0.5/s, swings between ellipses. \
          Inviscid, c = 15 omega R. The strain rate is the one that fits the velocities best. Momenta are relative to the sum of the sizes of \
-         their terms, the energy (kinetic, field and compression) to that of the start. `drop` has shifting; `drop-unshifted` \
-         keeps momenta to round-off and lets its particles crowd."
+         their terms, the energy (kinetic, field and compression) to that of the start."
     }
 
     fn resolution(&self) -> &'static str {
@@ -116,15 +109,12 @@ impl Case for Drop {
     }
 
     fn resolutions(&self, pace: Pace) -> Vec<usize> {
-        match self.shifted {
-            true => pace.choose(vec![10, 15], vec![12, 25, 50]),
-            false => pace.choose(vec![10], vec![12, 25]),
-        }
+        pace.choose(vec![10, 15], vec![12, 25, 50])
     }
 
     fn run(&self, n: usize, pace: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {
         let end = pace.choose(8.0, 9.5);
-        let mut fluid = build(n, self.shifted)?;
+        let mut fluid = build(n)?;
         let start = energy(&fluid, parallel);
         let mass = fluid.config().particle_mass();
         let size = mass * fluid.particles().velocity.iter().map(Vector::norm).sum::<f64>();
@@ -158,7 +148,7 @@ impl Case for Drop {
         ];
         let momenta = [("momentum", drift), ("angular momentum", turn)].map(|(metric, value)| {
             let measure = Measure::new(metric, "-", value, 0.0, "conserved");
-            if self.shifted { measure } else { measure.within(1e-12, 0) }
+            measure.within(1e-12, 0)
         });
         measures.extend(momenta);
         let curves = vec![Curve { plot: "strain", name: format!("{n} per radius"), x: time, y: rate }];

@@ -4,7 +4,7 @@ use super::measures::{level, rms};
 use super::scene::{GRAVITY, RHO, Water, advance, heavy_water, tank};
 use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
 use mps_examples::Failure;
-use mps_fluid::{ArtificialViscosity, PressureForm};
+use mps_fluid::ArtificialViscosity;
 use mps_io::CurvePlot;
 use mps_neighbors::Parallel;
 
@@ -22,10 +22,7 @@ pub(crate) type Tank<const D: usize> = Water<D, ArtificialViscosity<f64>>;
 
 /// A tank `n` particles deep and wide.
 pub(crate) fn build<const D: usize>(n: usize) -> Result<Tank<D>, Failure> {
-    let mut config = heavy_water::<D>(DEPTH / n as f64, DEPTH);
-    // What resists shear calms a tank; corrected and shifted, a fine one is stirred until it sinks.
-    config.pressure_form = PressureForm::Plain;
-    config.shifting = None;
+    let config = heavy_water::<D>(DEPTH / n as f64, DEPTH);
     let c = config.sound_speed;
     tank([n; D], config, |r| ArtificialViscosity::new::<D>(ALPHA, c, r))
 }
@@ -79,7 +76,7 @@ impl<const D: usize> Case for Hydrostatic<D> {
 
     fn about(&self) -> &'static str {
         "An open tank as wide as deep, filled with an upright lattice with hydrostatic pressure, left alone for 10 s (in 3D 2 s). \
-         c = 10 sqrt(g H), artificial viscosity 0.02, plain pressure, no shifting. Pressure: root mean square over particles and the last 5 % of the time; kinetic \
+         c = 10 sqrt(g H), artificial viscosity 0.02. Pressure: root mean square over particles and the last 5 % of the time; kinetic \
          energy: largest of the same time."
     }
 

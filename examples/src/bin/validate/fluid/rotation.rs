@@ -9,7 +9,7 @@ use mps_examples::Failure;
 use mps_fluid::{ArtificialViscosity, Boundary, Fluid};
 use mps_io::CurvePlot;
 use mps_kernel::Vector;
-use mps_kernel::weights::Rational;
+use mps_kernel::weights::WendlandGradient;
 use mps_neighbors::{Open, Parallel};
 
 pub(crate) struct Rotation;
@@ -21,9 +21,7 @@ const OMEGA: f64 = 1.5;
 const RIGID: &str = "analytic: rigid rotation, p = rho (omega^2 - w^2)(R^2 - r^2)/2";
 
 fn build(per_radius: usize) -> Result<Water<2, ArtificialViscosity<f64>>, Failure> {
-    let mut config = water(RADIUS / per_radius as f64, 15.0 * OMEGA * RADIUS);
-    // It would not keep angular momentum.
-    config.shifting = None;
+    let config = water(RADIUS / per_radius as f64, 15.0 * OMEGA * RADIUS);
     let mut particles = disc(per_radius);
     for (u, r) in particles.velocity.iter_mut().zip(&particles.position) {
         *u = Vector::from([-TURN * r.y, TURN * r.x]);
@@ -32,7 +30,7 @@ fn build(per_radius: usize) -> Result<Water<2, ArtificialViscosity<f64>>, Failur
     press(&mut particles, &config, |r| centre * (RADIUS * RADIUS - r.norm_squared()));
     let c = config.sound_speed;
     let viscosity = |r: &_| ArtificialViscosity::new::<2>(0.02, c, r);
-    Ok(Fluid::new(config, Rational, viscosity, Open, particles, Boundary::default())?)
+    Ok(Fluid::new(config, WendlandGradient, viscosity, Open, particles, Boundary::default())?)
 }
 
 impl Case for Rotation {

@@ -5,7 +5,7 @@ use mps_fluid::{
     Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, LaminarViscosity, PressureForm, Shifting,
     Slip, Tait, Tension, Viscosity,
 };
-use mps_kernel::weights::{Rational, WendlandC2};
+use mps_kernel::weights::{WendlandC2, WendlandGradient};
 use mps_kernel::{Kernel, ReferenceDensity, Vector};
 use mps_neighbors::{Domain, Open, Parallel, PeriodicBox};
 
@@ -13,11 +13,16 @@ use mps_neighbors::{Domain, Open, Parallel, PeriodicBox};
 pub(crate) const GRAVITY: f64 = 9.81;
 /// Density of the fluid \[kg/m^3\].
 pub(crate) const RHO: f64 = 1000.0;
-/// Layers of points of a wall: as deep as the effective radius.
-const LAYERS: usize = 3;
+/// Effective radius of water with a free surface, over the spacing.
+const RADIUS_RATIO: f64 = 4.0;
+/// Points of a wall along a spacing: smooth to water that slides by.
+const FINE: usize = 2;
+/// Layers of points of a wall, as deep as the effective radius of water with a free surface, and of a channel.
+const LAYERS: usize = FINE * RADIUS_RATIO as usize;
+const CHANNEL_LAYERS: usize = 3;
 
-/// A fluid of any case, with the weight of the paper unless `K` says otherwise.
-pub(crate) type Water<const D: usize, V = (), P = Open, K = Rational> = Fluid<f64, D, K, V, P>;
+/// A fluid of any case; with the smooth weight unless `K` says otherwise.
+pub(crate) type Water<const D: usize, V = (), P = Open, K = WendlandGradient> = Fluid<f64, D, K, V, P>;
 
 /// Viscous fluid without a free surface, in a domain with a period.
 ///
@@ -40,16 +45,22 @@ pub(crate) fn lattice<const D: usize>(corner: [f64; D], counts: [usize; D], l0: 
         .collect()
 }
 
-/// Points all around a box of `counts` cells at the origin. `top`: cells the side walls stand above
+/// Walls all around a box of `counts` particles at the origin. `top`: spacings the side walls stand above
 /// the box, which is then open; `None` closes it.
-pub(crate) fn walls<const D: usize>(counts: [usize; D], top: Option<usize>, l0: f64) -> Vec<Vector<f64, D>> {
+pub(crate) fn walls<const D: usize>(counts: [usize; D], top: Option<usize>, l0: f64) -> Boundary<f64, D> {
+    let counts = counts.map(|n| n * FINE);
+    let (top, l0) = (top.map(|n| n * FINE), l0 / FINE as f64);
     let mut around = counts.map(|n| n + 2 * LAYERS);
     around[D - 1] = counts[D - 1] + LAYERS + top.unwrap_or(LAYERS);
     let inside = |p: &Vector<f64, D>| {
         let within = |axis: usize| p[axis] > 0.0 && p[axis] < counts[axis] as f64 * l0;
         (0..D - 1).all(within) && p[D - 1] > 0.0 && (top.is_some() || within(D - 1))
     };
-    lattice([-(LAYERS as f64) * l0; D], around, l0).into_iter().filter(|p| !inside(p)).collect()
+    let points = lattice([-(LAYERS as f64) * l0; D], around, l0);
+    let points: Vec<_> = points.into_iter().filter(|p| !inside(p)).collect();
+    let mut boundary = Boundary::default();
+    boundary.add_fine_wall(&points, (FINE as f64).powi(-(D as i32)), Slip::Free);
+    boundary
 }
 
 /// Sets the densities that give the pressure `p` of the place.
@@ -75,15 +86,23 @@ pub(crate) fn tank<const D: usize, V: Viscosity<f64, D>>(
     let mut particles = FluidParticles::at_rest(lattice([0.0; D], counts, l0));
     let weight = -config.density * config.gravity[D - 1];
     press(&mut particles, &config, |r| weight * (depth - r[D - 1]));
-    let mut boundary = Boundary::default();
-    boundary.add_wall(&walls(counts, Some(counts[D - 1] / 2), l0), Slip::Free);
-    Ok(Fluid::new(config, Rational, viscosity, Open, particles, boundary)?)
+    let boundary = walls(counts, Some(counts[D - 1] / 2), l0);
+    Ok(Fluid::new(config, WendlandGradient, viscosity, Open, particles, boundary)?)
 }
 
-/// Water as the cases have it: corrected pressure, which needs shifting, and no collisions, which would act as
-/// a strong viscosity.
+/// Water with a free surface as all cases have it. Without collisions, which would act as a strong viscosity.
 pub(crate) fn water<const D: usize>(l0: f64, sound_speed: f64) -> FluidConfig<f64, D> {
     let mut config = FluidConfig::water(l0, sound_speed);
+    config.radius_ratio = RADIUS_RATIO;
+    config.collisions = None;
+    config
+}
+
+/// Fluid that fills its domain, as all cases have it: under tension as well as under pressure, which takes corrected
+/// sums and shifting to keep the particles even.
+pub(crate) fn inner_water(l0: f64, sound_speed: f64) -> FluidConfig<f64, 2> {
+    let mut config = FluidConfig::water(l0, sound_speed);
+    config.tension = Tension::Keep;
     config.pressure_form = PressureForm::Corrected;
     config.collisions = None;
     config.shifting = Some(Shifting::default());
@@ -107,13 +126,14 @@ pub(crate) const NU: f64 = 0.1;
 pub(crate) fn channel(across: usize, speed: f64, push: f64) -> Result<InnerWater, Failure> {
     let columns = 10;
     let l0 = WIDTH / across as f64;
-    let mut config = water(l0, 10.0);
-    config.tension = Tension::Keep;
+    let mut config = inner_water(l0, 10.0);
     config.gravity[0] = push;
     let particles = FluidParticles::at_rest(lattice([0.0; 2], [columns, across], l0));
     let mut boundary = Boundary::default();
-    boundary.add_wall(&lattice([0.0, -(LAYERS as f64) * l0], [columns, LAYERS], l0), Slip::None);
-    if let Some(upper) = boundary.add_wall(&lattice([0.0, WIDTH], [columns, LAYERS], l0), Slip::None) {
+    boundary
+        .add_wall(&lattice([0.0, -(CHANNEL_LAYERS as f64) * l0], [columns, CHANNEL_LAYERS], l0), Slip::None);
+    if let Some(upper) = boundary.add_wall(&lattice([0.0, WIDTH], [columns, CHANNEL_LAYERS], l0), Slip::None)
+    {
         boundary.velocity[upper].fill(Vector::from([speed, 0.0]));
     }
     let domain = PeriodicBox::new(Vector::zeros(), [Some(columns as f64 * l0), None])?;

@@ -4,9 +4,9 @@ use super::measures::slope;
 use super::scene::{GRAVITY, RHO, Water, lattice, walls, water};
 use crate::case::{Case, Measure, Outcome, Pace};
 use mps_examples::Failure;
-use mps_fluid::{ArtificialViscosity, Boundary, Fluid, FluidParticles, Slip, Tension};
+use mps_fluid::{ArtificialViscosity, Fluid, FluidParticles, Tension};
 use mps_kernel::Vector;
-use mps_kernel::weights::Rational;
+use mps_kernel::weights::WendlandGradient;
 use mps_neighbors::{Open, Parallel};
 
 pub(crate) struct Sideways;
@@ -26,12 +26,11 @@ fn build(n: usize) -> Result<Water<2, ArtificialViscosity<f64>>, Failure> {
     // Pressed together, so that no pressure is negative.
     let pressed = RHO * (GRAVITY + ACCELERATION) * SIDE;
     super::scene::press(&mut particles, &config, |_| pressed);
-    let mut boundary = Boundary::default();
-    boundary.add_wall(&walls([n, n], None, l0), Slip::Free);
+    let mut boundary = walls([n, n], None, l0);
     boundary.acceleration.fill(Vector::from([ACCELERATION, 0.0]));
     let c = config.sound_speed;
     let viscosity = |r: &_| ArtificialViscosity::new::<2>(0.5, c, r);
-    Ok(Fluid::new(config, Rational, viscosity, Open, particles, boundary)?)
+    Ok(Fluid::new(config, WendlandGradient, viscosity, Open, particles, boundary)?)
 }
 
 impl Case for Sideways {

@@ -1,11 +1,11 @@
 //! The decaying vortices of Taylor and Green.
 
 use super::measures::{decay_rate, rms};
-use super::scene::{InnerWater, RHO, advance, lattice, press, water};
+use super::scene::{InnerWater, RHO, advance, inner_water, lattice, press};
 use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
 use core::f64::consts::PI;
 use mps_examples::Failure;
-use mps_fluid::{Boundary, Fluid, FluidParticles, LaminarViscosity, Shifting, Tension};
+use mps_fluid::{Boundary, Fluid, FluidParticles, LaminarViscosity, Shifting};
 use mps_io::CurvePlot;
 use mps_kernel::Vector;
 use mps_kernel::weights::WendlandC2;
@@ -35,8 +35,7 @@ fn rate() -> f64 {
 
 fn build(n: usize) -> Result<InnerWater, Failure> {
     let l0 = 1.0 / n as f64;
-    let mut config = water(l0, 10.0);
-    config.tension = Tension::Keep;
+    let mut config = inner_water(l0, 10.0);
     // Stirred all the time: with the default of 2 some runs tear under tension.
     config.shifting = Some(Shifting { strength: 10.0, ..Shifting::default() });
     let mut particles = FluidParticles::at_rest(lattice([0.0; 2], [n, n], l0));
