@@ -22,6 +22,12 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         }
     }
 
+    /// `Dm = delta dt c^2 / n0 <laplace n>`, and `<laplace n>` carries `2 D/n0` (eqs. 19, 20).
+    pub(crate) fn diffusivity(&self, dt: T) -> T {
+        let c = self.config.sound_speed;
+        self.config.diffusion * dt * c * c * T::of(2.0) * self.reference.gradient_factor::<D>()
+    }
+
     fn sweep_density_with<const DIFFUSION: bool, const CORRECTED: bool>(
         &mut self,
         parallel: &Parallel,
@@ -29,7 +35,6 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     ) {
         let mut rate = core::mem::take(&mut self.rates.density_rate);
         let factor = self.reference.gradient_factor::<D>();
-        let c = self.config.sound_speed;
         let sweep = Continuity::<_, D, _, _, DIFFUSION, CORRECTED> {
             neighbors: self.view(&self.search.fluid),
             walls: self.boundary_view(),
@@ -39,8 +44,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             boundary: &self.boundary,
             wall: self.wall_pair(),
             factor,
-            // Dm = delta dt c^2 / n0 <laplace n>, and <laplace n> carries 2 D/n0 (eqs. 19, 20).
-            diffusion: self.config.diffusion * dt * c * c * T::of(2.0) * factor,
+            diffusion: self.diffusivity(dt),
         };
         parallel.sweep(rate.as_mut_slice(), &sweep);
         self.rates.density_rate = rate;
@@ -52,7 +56,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 /// This is what makes the exchange with a boundary conservative: the pair force is twice the
 /// pressure of the fluid particle, its power `2 V p_i (u_a - u_i) . g_ia` is exactly the energy of
 /// compression that the particle gains by this divergence and the structure gives by its motion.
-const MIRROR: f64 = 2.0;
+pub(crate) const MIRROR: f64 = 2.0;
 
 /// What [`Fluid::sweep_density`] does to one particle.
 struct Continuity<'a, T: Real, const D: usize, K, P, const DIFFUSION: bool, const CORRECTED: bool> {

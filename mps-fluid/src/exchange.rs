@@ -168,6 +168,24 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             self.rates.acceleration[i as usize] += sum * (exchange.sum[k] * factor);
         }
     }
+
+    /// Power \[W\] of the mean change of pressure over the sub-steps at the mean velocities of the structures.
+    pub(crate) fn exchange_work(&self) -> T {
+        let exchange = &self.exchange;
+        if exchange.substeps == 0 {
+            return T::zero();
+        }
+        let factor = -T::of(2.0) * self.reference.gradient_factor::<D>() * self.config.particle_volume()
+            / T::of(exchange.substeps as f64);
+        let velocity = &self.boundary.velocity[self.boundary.reactive().start..];
+        (0..exchange.wetted.len()).fold(T::zero(), |power, k| {
+            let links = exchange.wetted_start[k] as usize..exchange.wetted_start[k + 1] as usize;
+            let carried: T = exchange.wetted_links[links]
+                .iter()
+                .fold(T::zero(), |sum, l| sum + l.vector.dot(&velocity[l.other as usize]));
+            power + carried * exchange.sum[k] * factor
+        })
+    }
 }
 
 impl<T: Real, const D: usize> Exchange<T, D> {

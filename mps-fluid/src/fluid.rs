@@ -1,8 +1,8 @@
 //! The fluid and the story of one step.
 
+use crate::budget::Books;
 use crate::eos::{EquationOfState, Tait};
 use crate::exchange::Exchange;
-use crate::regularize;
 use crate::search::Search;
 use crate::terms::{Viscosity, WallPair};
 use crate::{Boundary, FluidConfig, FluidError, FluidParticles, Tension};
@@ -35,6 +35,7 @@ pub struct Fluid<
     pub(crate) search: Search<T, D>,
     pub(crate) rates: Rates<T, D>,
     pub(crate) exchange: Exchange<T, D>,
+    pub(crate) books: Option<Box<Books<T, D>>>,
     pub(crate) time: T,
     pub(crate) steps: u64,
     /// Length of the previous step \[s\], 0 before the first.
@@ -145,6 +146,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             boundary,
             rates,
             exchange: Exchange::default(),
+            books: None,
             time: T::zero(),
             steps: 0,
             last_dt: T::zero(),
@@ -173,8 +175,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// If a particle's state is not finite or its speed makes the time step collapse.
     pub fn begin_step(&mut self, parallel: &Parallel) -> Result<T, FluidError> {
         self.search.refresh(parallel, &self.domain, &mut self.particles, &self.boundary)?;
-        regularize::shift(self, parallel)?;
-        regularize::collide(self, parallel);
+        self.shift(parallel)?;
+        self.collide(parallel);
         self.evaluate_pressure(parallel);
         self.sweep_correction(parallel);
         self.sweep_momentum(parallel);
@@ -193,6 +195,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         parallel: &Parallel,
         field: impl Fn(&Vector<T, D>) -> Vector<T, D> + Sync,
     ) {
+        self.book_field(parallel, &field);
         let position = &self.particles.position;
         parallel.update(self.rates.acceleration.as_mut_slice(), |i, a| *a += field(&position[i]));
     }
@@ -211,6 +214,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             *u += acceleration[i] * dt;
             flow.velocity = *u;
         });
+        self.book_step(parallel, dt);
         self.sweep_density(parallel, dt);
         let FluidParticles { position, velocity, density, .. } = &mut self.particles;
         let (velocity, rate) = (&*velocity, &self.rates.density_rate);

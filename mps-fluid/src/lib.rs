@@ -5,6 +5,7 @@
 //! slip, free-surface detection, pairwise collisions (DPC) and iterative corrected shifting (icPS).
 
 mod boundary;
+mod budget;
 mod config;
 mod continuity;
 mod correction;
@@ -24,6 +25,7 @@ mod terms;
 mod time_step;
 
 pub use boundary::{Boundary, Slip};
+pub use budget::EnergyBudget;
 pub use config::{FluidConfig, PressureForm, Tension};
 pub use energy::FluidEnergy;
 pub use eos::{EquationOfState, Tait};

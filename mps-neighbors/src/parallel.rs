@@ -182,7 +182,7 @@ pub trait Fields: Send + Sized {
     /// Cuts every slice at `middle`.
     fn cut(self, middle: usize) -> (Self, Self);
     /// Visits the entries in order; the first one is particle `first`.
-    fn for_each(self, first: usize, each: &impl Fn(usize, Self::Item));
+    fn for_each(self, first: usize, each: impl Fn(usize, Self::Item));
 }
 
 impl<'a, A: Send> Fields for &'a mut [A] {
@@ -197,7 +197,7 @@ impl<'a, A: Send> Fields for &'a mut [A] {
     }
 
     #[inline(always)]
-    fn for_each(self, first: usize, each: &impl Fn(usize, Self::Item)) {
+    fn for_each(self, first: usize, each: impl Fn(usize, Self::Item)) {
         for (k, item) in self.iter_mut().enumerate() {
             each(first + k, item);
         }
@@ -224,7 +224,7 @@ macro_rules! fields_of_tuple {
 
             #[inline(always)]
             #[allow(non_snake_case)]
-            fn for_each(self, first: usize, each: &impl Fn(usize, Self::Item)) {
+            fn for_each(self, first: usize, each: impl Fn(usize, Self::Item)) {
                 let len = self.len();
                 let ($($slice,)+) = self;
                 $(let mut $slice = $slice[..len].iter_mut();)+
@@ -282,7 +282,10 @@ fn halve_leaves<F: Fields>(block: usize, fields: F, first: usize, leaf: &(impl F
 fn run_at<F: Fields>(level: Level, fields: F, first: usize, sweep: &impl Sweep<F>) {
     #[cfg(target_arch = "x86_64")]
     if let Some(avx2) = level.as_avx2() {
-        avx2.vectorize(|| run(avx2, fields, first, sweep));
+        avx2.vectorize(
+            #[inline(always)]
+            || run(avx2, fields, first, sweep),
+        );
     } else if let Some(sse2) = level.as_sse2() {
         // Every processor of this kind has SSE2.
         run(sse2, fields, first, sweep);
@@ -294,7 +297,13 @@ fn run_at<F: Fields>(level: Level, fields: F, first: usize, sweep: &impl Sweep<F
 /// Inlined into the function that is compiled for `S`.
 #[inline(always)]
 fn run<S: Simd, F: Fields>(simd: S, fields: F, first: usize, sweep: &impl Sweep<F>) {
-    fields.for_each(first, &|i, item| sweep.visit(simd, i, item));
+    // Told so twice: a large closure that is not inlined has none of the instructions, and every operation in it is
+    // a call.
+    fields.for_each(
+        first,
+        #[inline(always)]
+        |i, item| sweep.visit(simd, i, item),
+    );
 }
 
 fn fold_halves<A: Copy + Send + Sync>(

@@ -148,7 +148,13 @@ mod tests {
     fn record(pressure: impl Fn(f64) -> f64, front: impl Fn(f64) -> f64) -> Vec<Sample> {
         (0..3500)
             .map(|k| 0.002 * f64::from(k))
-            .map(|time| Sample { time, front: front(time), pressure: [pressure(time); 4] })
+            .map(|time| Sample {
+                time,
+                front: front(time),
+                pressure: [pressure(time); 4],
+                energy: [0.0; 3],
+                received: [0.0; 5],
+            })
             .collect()
     }
 

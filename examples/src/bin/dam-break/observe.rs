@@ -28,6 +28,11 @@ const COLUMNS: &[&str] = &[
     "kinetic [J/m]",
     "potential [J/m]",
     "compression [J/m]",
+    "by viscosity [J/m]",
+    "by diffusion [J/m]",
+    "by collisions [J/m]",
+    "by shifting [J/m]",
+    "by walls [J/m]",
     "time step [s]",
 ];
 
@@ -40,6 +45,10 @@ pub(crate) struct Sample {
     pub(crate) front: f64,
     /// `p/(rho g H)` of each sensor.
     pub(crate) pressure: [f64; 4],
+    /// Energy over that of the water at the start: kinetic, potential and compression.
+    pub(crate) energy: [f64; 3],
+    /// Energy received since the start in the same unit: from viscosity, diffusion, collisions, shifting, walls.
+    pub(crate) received: [f64; 5],
 }
 
 /// The record of a run.
@@ -49,6 +58,8 @@ pub(crate) struct Observer {
     /// Potential energy of the water at the start \[J/m\].
     energy_scale: f64,
     first_energy: f64,
+    /// Largest part of the change of the energy that no cause explains, over the energy the water can give.
+    pub(crate) energy_open: f64,
     lowest_energy: f64,
     /// Largest rise of the total energy above an earlier value, over the energy the water can give.
     pub(crate) energy_rise: f64,
@@ -66,12 +77,14 @@ impl Observer {
         dam: &mut DamBreak<T, K>,
         parallel: &Parallel,
     ) -> Result<Self, Failure> {
+        dam.fluid_mut().keep_books();
         let energy = dam.fluid().energy(parallel);
         Ok(Self {
             csv: CsvWriter::create(dir.join("probes.csv"), COLUMNS)?,
             samples: Vec::new(),
             energy_scale: energy.potential.to_double(),
             first_energy: energy.total().to_double(),
+            energy_open: 0.0,
             lowest_energy: energy.total().to_double(),
             energy_rise: 0.0,
             leaked: vec![false; dam.fluid().particles().position.len()],
@@ -85,6 +98,9 @@ impl Observer {
         let total = dam.fluid().energy(parallel).total().to_double();
         self.energy_rise = self.energy_rise.max((total - self.lowest_energy) / self.energy_scale);
         self.lowest_energy = self.lowest_energy.min(total);
+        let explained = dam.fluid().budget().map_or(0.0, |b| b.total().to_double());
+        let open = (total - self.first_energy - explained).abs() / self.energy_scale;
+        self.energy_open = self.energy_open.max(open);
         let particles = dam.fluid().particles();
         let out = -0.5 * dam.fluid().config().spacing.to_double();
         for (r, &id) in particles.position.iter().zip(&particles.id) {
@@ -103,36 +119,28 @@ impl Observer {
         let fluid = dam.fluid();
         let (particles, l0) = (fluid.particles(), fluid.config().spacing.to_double());
         let seconds = fluid.time().to_double();
+        let energy = fluid.energy(parallel);
+        let FluidEnergy { kinetic, potential, compression } = energy;
+        let parts = [kinetic, potential, compression].map(|e| e.to_double());
+        let budget = fluid.budget().unwrap_or_default();
+        let received =
+            [budget.viscosity, budget.diffusion, budget.collisions, budget.shifting, budget.boundary]
+                .map(|e| e.to_double());
         let sample = Sample {
             time: seconds / TIME,
             front: front(&particles.position, l0) / HEIGHT,
             pressure: pressures(fluid.boundary(), l0).map(|p| p / PRESSURE),
+            energy: parts.map(|e| e / self.energy_scale),
+            received: received.map(|e| e / self.energy_scale),
         };
         self.samples.push(sample);
         let [p1, p2, p3, p4] = sample.pressure;
         let [h1, h2, h3, h4] = levels(&particles.position, l0).map(|h| h / HEIGHT);
-        let energy = fluid.energy(parallel);
-        let FluidEnergy { kinetic, potential, compression } = energy;
-        let [total, kinetic, potential, compression] =
-            [energy.total(), kinetic, potential, compression].map(|e| e.to_double());
-        self.csv.row(&[
-            seconds,
-            sample.time,
-            sample.front,
-            p1,
-            p2,
-            p3,
-            p4,
-            h1,
-            h2,
-            h3,
-            h4,
-            total,
-            kinetic,
-            potential,
-            compression,
-            dt,
-        ])?;
+        let mut row = vec![seconds, sample.time, sample.front, p1, p2, p3, p4, h1, h2, h3, h4];
+        row.push(energy.total().to_double());
+        row.extend(parts.iter().chain(&received));
+        row.push(dt);
+        self.csv.row(&row)?;
         Ok(())
     }
 

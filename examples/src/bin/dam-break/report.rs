@@ -1,7 +1,7 @@
 //! The plots against the experiment and summary.json.
 
 use crate::metrics::{arrival, band_fraction, first_peak, front_error, pressure_noise};
-use crate::observe::Observer;
+use crate::observe::{Observer, Sample};
 use crate::options::Options;
 use crate::reference::{FRONT, SENSORS, SOURCE};
 use crate::sensors::HEIGHTS;
@@ -26,6 +26,8 @@ pub(crate) fn plot(dir: &Path, options: &Options, observer: &Observer) -> Result
         .x_range(0.0, end.clamp(0.1, 3.0))
         .y_range(0.0, 3.6)
         .write_png(dir.join("front.png"))?;
+
+    energy_plot(options, observer, &time).write_png(dir.join("energy.png"))?;
 
     for (k, (sensor, height)) in SENSORS.iter().zip(HEIGHTS).enumerate() {
         let pressure: Vec<f64> = observer.samples.iter().map(|s| s.pressure[k]).collect();
@@ -96,6 +98,27 @@ pub(crate) fn summary<T: Real, K: Kernel<T>>(
     summary
 }
 
+/// The parts of the energy and what each cause has taken.
+fn energy_plot(options: &Options, observer: &Observer, time: &[f64]) -> CurvePlot {
+    let title = format!("Energy of the dam break, l₀ = {} mm", options.spacing * 1e3);
+    let mut plot = CurvePlot::new(&title, "t √(g/H) [–]", "energy over that at the start [–]");
+    let column = |value: &dyn Fn(&Sample) -> f64| observer.samples.iter().map(value).collect::<Vec<_>>();
+    for (k, name) in ["kinetic", "potential", "compression"].into_iter().enumerate() {
+        plot = plot.line(name, time, &column(&|s| s.energy[k]));
+    }
+    for (k, name) in CAUSES.into_iter().enumerate() {
+        // What has never acted is not drawn.
+        let taken = column(&|s| -s.received[k]);
+        if taken.iter().any(|e| e.abs() > 1e-4) {
+            plot = plot.line(&format!("taken by {name}"), time, &taken);
+        }
+    }
+    plot
+}
+
+/// What gives and takes energy, in the order of [`Sample::received`].
+const CAUSES: [&str; 5] = ["viscosity", "diffusion", "collisions", "shifting", "walls"];
+
 /// Results by name; `None` where the run has not come so far.
 fn results(settings: &Settings, observer: &Observer) -> Vec<(String, Option<Metric>)> {
     let samples = &observer.samples;
@@ -126,7 +149,12 @@ fn results(settings: &Settings, observer: &Observer) -> Vec<(String, Option<Metr
     put("front_error_paper1", front.map(|f| ideal(f.mean, SOURCE)));
     put("front_lead", front.map(|f| ideal(f.lead, SOURCE)));
     put("pressure_noise", pressure_noise(samples).map(|rms| ideal(rms, "no noise")));
-    put("energy_closure", Some(ideal(observer.energy_rise, "total energy never rises")));
+    put("energy_closure", Some(ideal(observer.energy_open, "every change of energy has a cause")));
+    put("energy_rise", Some(ideal(observer.energy_rise, "total energy never rises")));
+    let last = samples.last().map_or([0.0; 5], |s| s.received);
+    for (name, value) in CAUSES.iter().zip(last) {
+        put(&format!("energy_by_{name}"), Some(plain(value)));
+    }
     put("energy_dissipated", Some(plain(observer.dissipated())));
     put("volume_drift", observer.volume_drift.map(|drift| ideal(drift, "the volume is kept")));
     put("leaked_particles", Some(ideal(observer.leaked() as f64, "no leak")));

@@ -1,0 +1,208 @@
+//! Where the energy goes: the work of every cause, summed over the steps.
+//!
+//! Between two moments the energy of the fluid (kinetic, potential, compression) changes by
+//!
+//! `viscosity + diffusion + collisions + shifting + boundary + field`
+//!
+//! and by what the time stepping makes of it, the only part that is not measured but left over. Each work
+//! is evaluated with the sums of the step itself: a force with the mean of the velocities before and after it,
+//! a rate of density with the `p/n` by which compression stores energy.
+//!
+//! The books are closed unless [`Fluid::keep_books`] is called; then a step costs about half as much again.
+
+use crate::fluid::{Flow, State};
+use crate::gather::Gather;
+use crate::terms::Viscosity;
+use crate::{Fluid, FluidError, regularize};
+use fearless_simd::Simd;
+use mps_kernel::operators::DiffusionFilter;
+use mps_kernel::small::{components, vector};
+use mps_kernel::{Kernel, Lanes, Neighborhood, Real, Vector, by_axis};
+use mps_neighbors::{Domain, Parallel, RowView, Sweep};
+
+/// Energy \[J\] (per metre of depth in 2D) the fluid has received since the books were opened, by cause;
+/// negative where it has lost.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EnergyBudget<T> {
+    /// Viscosity of fluid pairs and of boundaries without slip; negative.
+    pub viscosity: T,
+    /// Diffusion of the density, through the energy of compression.
+    pub diffusion: T,
+    /// Pairwise collisions; negative.
+    pub collisions: T,
+    /// Shifting, through the height of the particles.
+    pub shifting: T,
+    /// What walls and structures hand over: the work of their motion, and of the hydrostatic difference by
+    /// which the pressure they show differs from the particle's own.
+    pub boundary: T,
+    /// Accelerations added from outside ([`Fluid::add_acceleration`]).
+    pub field: T,
+}
+
+impl<T: Real> EnergyBudget<T> {
+    /// Sum of the parts \[J\].
+    pub fn total(&self) -> T {
+        self.viscosity + self.diffusion + self.collisions + self.shifting + self.boundary + self.field
+    }
+}
+
+/// The open books.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Books<T: Real, const D: usize> {
+    budget: EnergyBudget<T>,
+    /// Accelerations from outside in this step \[m/s^2\].
+    field: Vec<Vector<T, D>>,
+    /// Of each particle in this step: see [`Powers`].
+    power: Vec<[T; 4]>,
+}
+
+impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
+    /// Opens the books, empty. Call it between steps.
+    pub fn keep_books(&mut self) {
+        self.books = Some(Box::default());
+    }
+
+    /// The work of every cause since [`keep_books`](Self::keep_books); `None` without.
+    pub fn budget(&self) -> Option<EnergyBudget<T>> {
+        self.books.as_ref().map(|books| books.budget)
+    }
+
+    /// Shifts the particles and books what their heights gain.
+    pub(crate) fn shift(&mut self, parallel: &Parallel) -> Result<(), FluidError> {
+        let height = |fluid: &Self| {
+            let (g, r) = (fluid.config.gravity, &fluid.particles.position);
+            -parallel.fold(r.len(), T::zero(), &|i| g.dot(&r[i]), &|a, b| a + b)
+        };
+        let before = self.books.as_ref().map(|_| height(self));
+        regularize::shift(self, parallel)?;
+        if let Some(before) = before {
+            let gained = (height(self) - before) * self.config.particle_mass();
+            self.books.iter_mut().for_each(|books| books.budget.shifting += gained);
+        }
+        Ok(())
+    }
+
+    /// Lets close particles collide and books what their motion loses.
+    pub(crate) fn collide(&mut self, parallel: &Parallel) {
+        let motion = |fluid: &Self| {
+            let u = &fluid.particles.velocity;
+            parallel.fold(u.len(), T::zero(), &|i| u[i].norm_squared(), &|a, b| a + b) * T::of(0.5)
+        };
+        let before = self.books.as_ref().map(|_| motion(self));
+        regularize::collide(self, parallel);
+        if let Some(before) = before {
+            let gained = (motion(self) - before) * self.config.particle_mass();
+            self.books.iter_mut().for_each(|books| books.budget.collisions += gained);
+        }
+    }
+
+    /// Remembers an acceleration from outside.
+    pub(crate) fn book_field(
+        &mut self,
+        parallel: &Parallel,
+        field: &(impl Fn(&Vector<T, D>) -> Vector<T, D> + Sync),
+    ) {
+        let Some(books) = &mut self.books else { return };
+        books.field.resize(self.particles.position.len(), Vector::zeros());
+        let position = &self.particles.position;
+        parallel.update(books.field.as_mut_slice(), |i, a| *a += field(&position[i]));
+    }
+
+    /// Books what acts over the step. Velocities are the new ones; densities, positions and pressures still those of
+    /// the start.
+    pub(crate) fn book_step(&mut self, parallel: &Parallel, dt: T) {
+        let Some(mut books) = self.books.take() else { return };
+        books.power.resize(self.particles.position.len(), [T::zero(); 4]);
+        let sweep = Powers {
+            fluid: &*self,
+            neighbors: self.view(&self.search.fluid),
+            state: &self.rates.state,
+            flow: &self.rates.flow,
+            field: &books.field,
+            diffusivity: self.diffusivity(dt),
+            half: dt * T::of(0.5),
+        };
+        parallel.sweep(books.power.as_mut_slice(), &sweep);
+        let power = &books.power;
+        let add = |a: [T; 4], b: [T; 4]| core::array::from_fn(|k| a[k] + b[k]);
+        let [viscosity, diffusion, boundary, outside] =
+            parallel.fold(power.len(), [T::zero(); 4], &|i| power[i], &add);
+        let handed_over = self.exchange_work();
+        let (m, volume) = (self.config.particle_mass(), self.config.particle_volume());
+        books.budget.viscosity += viscosity * m * dt;
+        books.budget.diffusion += diffusion * volume * dt;
+        books.budget.boundary += (boundary * m + handed_over) * dt;
+        books.budget.field += outside * m * dt;
+        books.field.clear();
+        self.books = Some(books);
+    }
+
+    /// Power per mass \[W/kg\] of the boundary on a particle: of its shear, and of its pressure beyond what only
+    /// goes from motion into compression.
+    fn work_of_boundary(&self, i: usize, mean: &Vector<T, D>) -> (T, T) {
+        let (wall, boundary) = (self.wall_pair(), &self.boundary);
+        let own = &self.rates.state[i];
+        let factor = self.reference.gradient_factor::<D>();
+        let (mut shear, mut force, mut inflow) = (T::zero(), Vector::zeros(), T::zero());
+        self.boundary_view().for_each(i, |pair| {
+            let a = pair.j;
+            force += wall.pressure_sum(own, boundary, pair);
+            let (_, na) = wall.state(own.pressure, own.density, &boundary.acceleration[a], &pair.r_ij);
+            let vector = self.corrected(i, pair.gradient_vector());
+            let opening = (boundary.velocity[a] - self.particles.velocity[i]).dot(&vector);
+            inflow -= na * boundary.volume[a] * T::of(crate::continuity::MIRROR) * opening;
+            if boundary.shear[a] > T::zero() {
+                let drag = self.viscosity.pair(pair, &own.velocity, &boundary.velocity[a]);
+                shear += drag.dot(mean) * (boundary.shear[a] * boundary.volume[a]);
+            }
+        });
+        let motion = -self.corrected(i, force).dot(mean);
+        let compression = own.pressure * own.inverse_density * inflow;
+        (shear, (motion + compression) * factor / self.config.density)
+    }
+}
+
+/// What acts on one particle over the step: power of viscosity \[W/kg\], of density diffusion \[W/m^3\], of boundary
+/// pressure and of the field from outside \[W/kg\].
+struct Powers<'a, T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> {
+    fluid: &'a Fluid<T, D, K, V, P>,
+    neighbors: RowView<'a, T, D, K, P>,
+    state: &'a [State<T, D>],
+    flow: &'a [Flow<T, D>],
+    field: &'a [Vector<T, D>],
+    /// What the diffusion filter is multiplied with \[m^2/s\].
+    diffusivity: T,
+    /// Half the time step \[s\].
+    half: T,
+}
+
+impl<'b, T: Real, const D: usize, K, V, P> Sweep<&'b mut [[T; 4]]> for Powers<'_, T, D, K, V, P>
+where
+    K: Kernel<T>,
+    V: Viscosity<T, D>,
+    P: Domain<T, D>,
+{
+    #[inline(always)]
+    fn visit<S: Simd>(&self, simd: S, i: usize, power: &'b mut [T; 4]) {
+        let fluid = self.fluid;
+        let (own, flow) = (self.state[i], self.flow[i]);
+        let zero = T::Lanes::splat(simd, T::zero());
+        let (mut drag, mut filtered) = (vector([zero; D]), zero);
+        for pair in self.neighbors.packs(simd, i) {
+            let other = Gather { simd, j: pair.j.as_ref(), from: self.state };
+            fluid.viscosity.add(&mut drag, &pair, &own.velocity, &other.vector(|state| &state.velocity));
+            let there = other.of(self.flow);
+            let (density, gradient) =
+                (there.scalar(|flow| flow.density), there.vector(|flow| &flow.gradient));
+            filtered += DiffusionFilter::pair(flow.density, &flow.gradient, density, &gradient, &pair);
+        }
+        let drag: Vector<T, D> = by_axis!(axis => components(&drag)[axis].sum());
+        let mean = fluid.particles.velocity[i] - fluid.rates.acceleration[i] * self.half;
+        let walls = !fluid.boundary.is_empty();
+        let (shear, wall) = if walls { fluid.work_of_boundary(i, &mean) } else { (T::zero(), T::zero()) };
+        let field = self.field.get(i).map_or(T::zero(), |a| a.dot(&mean));
+        // The p/n of the stored energy, times n times the rate.
+        let diffusion = own.pressure * self.diffusivity * filtered.sum();
+        *power = [drag.dot(&mean) + shear, diffusion, wall, field];
+    }
+}
