@@ -10,7 +10,8 @@ use core::time::Duration;
 use criterion::Criterion;
 use mps_coupling::{ElasticBody, Scene};
 use mps_fluid::{
-    ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Shifting, Slip, Tait,
+    ArtificialViscosity, Boundary, Diffusion, EquationOfState, Fluid, FluidConfig, FluidParticles, Shifting,
+    Slip, Tait,
 };
 use mps_kernel::weights::{Rational, WendlandC2};
 use mps_kernel::{Real, Vector};
@@ -116,7 +117,7 @@ pub fn tank<T: Real, const D: usize>(cells: [usize; D], features: Features) -> W
         config.collisions = None;
     }
     if !features.diffusion {
-        config.diffusion = T::zero();
+        config.diffusion = Diffusion::None;
     }
     if features.shifting > 0 {
         config.shifting = Some(Shifting { iterations: features.shifting, ..Shifting::default() });

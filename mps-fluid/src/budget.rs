@@ -13,9 +13,9 @@
 use crate::fluid::{Flow, State};
 use crate::gather::Gather;
 use crate::terms::Viscosity;
-use crate::{Fluid, FluidError, regularize};
+use crate::{Diffusion, Fluid, FluidError, regularize};
 use fearless_simd::Simd;
-use mps_kernel::operators::DiffusionFilter;
+use mps_kernel::operators::{DiffusionFilter, HydrostaticDiffusion};
 use mps_kernel::small::{components, vector};
 use mps_kernel::{Kernel, Lanes, Neighborhood, Real, Vector, by_axis};
 use mps_neighbors::{Domain, Parallel, RowView, Sweep};
@@ -120,6 +120,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             flow: &self.rates.flow,
             field: &books.field,
             diffusivity: self.diffusivity(dt),
+            slope: self.hydrostatic_slope(),
             half: dt * T::of(0.5),
         };
         parallel.sweep(books.power.as_mut_slice(), &sweep);
@@ -172,6 +173,8 @@ struct Powers<'a, T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: 
     field: &'a [Vector<T, D>],
     /// What the diffusion filter is multiplied with \[m^2/s\].
     diffusivity: T,
+    /// Slope of `n/n0` in a fluid at rest \[1/m\].
+    slope: Vector<T, D>,
     /// Half the time step \[s\].
     half: T,
 }
@@ -194,7 +197,12 @@ where
             let there = other.of(self.flow);
             let (density, gradient) =
                 (there.scalar(|flow| flow.density), there.vector(|flow| &flow.gradient));
-            filtered += DiffusionFilter::pair(flow.density, &flow.gradient, density, &gradient, &pair);
+            filtered += match fluid.config.diffusion {
+                Diffusion::Hydrostatic => {
+                    HydrostaticDiffusion::pair(flow.density, density, &self.slope, &pair)
+                }
+                _ => DiffusionFilter::pair(flow.density, &flow.gradient, density, &gradient, &pair),
+            };
         }
         let drag: Vector<T, D> = by_axis!(axis => components(&drag)[axis].sum());
         let mean = fluid.particles.velocity[i] - fluid.rates.acceleration[i] * self.half;

@@ -14,6 +14,40 @@ pub enum Tension {
     Keep,
 }
 
+/// How differences of the number density between neighbours are smoothed (`Dm` of eq. 18).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Diffusion<T> {
+    /// Not at all: cheapest, and noisy.
+    None,
+    /// The filter of fourth order of eqs. 19 and 20, which leaves linear and quadratic fields alone.
+    Filter {
+        /// Coefficient `delta`; stable up to about 1.
+        delta: T,
+    },
+    /// `dt/rho0` times the Laplacian of the pressure less its hydrostatic part (Amaro et al. 2022, eq. 20): without
+    /// a coefficient, and without the gradient and moment matrix the filter needs.
+    Hydrostatic,
+}
+
+impl<T: Real> Diffusion<T> {
+    /// Coefficient `delta` of the filter, 0 for the others.
+    pub fn delta(&self) -> T {
+        match *self {
+            Self::Filter { delta } => delta,
+            Self::None | Self::Hydrostatic => T::zero(),
+        }
+    }
+
+    /// Name for summaries.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Filter { .. } => "filter",
+            Self::Hydrostatic => "hydrostatic",
+        }
+    }
+}
+
 /// How the pressure gradient and the divergence treat an uneven neighbourhood.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PressureForm {
@@ -41,8 +75,8 @@ pub struct FluidConfig<T: Real, const D: usize> {
     pub sound_speed: T,
     /// Acceleration of gravity \[m/s^2\]. Default zero.
     pub gravity: Vector<T, D>,
-    /// Coefficient `delta` of the density diffusion (eq. 19); 0 switches it off. Default 0.5.
-    pub diffusion: T,
+    /// Diffusion of the density. Default [`Diffusion::Filter`] with 0.5.
+    pub diffusion: Diffusion<T>,
     /// Courant number of eq. 46. Default 0.5; the paper's 0.1 costs five times as much, see docs.
     pub cfl: T,
     /// Treatment of negative pressure. Default [`Tension::Clip`].
@@ -67,7 +101,7 @@ impl<T: Real, const D: usize> FluidConfig<T, D> {
             density: T::of(1000.0),
             sound_speed,
             gravity: Vector::zeros(),
-            diffusion: T::of(0.5),
+            diffusion: Diffusion::Filter { delta: T::of(0.5) },
             cfl: T::of(0.5),
             tension: Tension::Clip,
             pressure_form: PressureForm::Plain,
@@ -111,7 +145,13 @@ impl<T: Real, const D: usize> FluidConfig<T, D> {
         check("radius_ratio", self.radius_ratio, 1.5, 6.0, "effective radius over spacing, usually 3")?;
         check("density", self.density, tiny, huge, "in kg/m3")?;
         check("sound_speed", self.sound_speed, tiny, huge, "about ten times the largest velocity, in m/s")?;
-        check("diffusion", self.diffusion, 0.0, 2.0, "the coefficient delta of the density diffusion")?;
+        check(
+            "diffusion",
+            self.diffusion.delta(),
+            0.0,
+            2.0,
+            "the coefficient delta of the density diffusion",
+        )?;
         check("cfl", self.cfl, tiny, 2.0, "the Courant number, usually 0.1 to 0.8")?;
         check("skin_ratio", self.skin_ratio, 0.0, 3.0, "the reach of the neighbour rows beyond re, over l0")?;
         for &component in self.gravity.iter() {

@@ -3,36 +3,52 @@
 use crate::fluid::Flow;
 use crate::gather::Gather;
 use crate::terms::{Viscosity, WallPair};
-use crate::{Boundary, Fluid};
+use crate::{Boundary, Diffusion, Fluid};
 use fearless_simd::Simd;
-use mps_kernel::operators::{DiffusionFilter, Divergence};
+use mps_kernel::operators::{DiffusionFilter, Divergence, HydrostaticDiffusion};
 use mps_kernel::small::{difference, dot, transform};
 use mps_kernel::{Kernel, Lanes, Neighborhood, Number, Pair, Real, Tensor, Vector};
 use mps_neighbors::{Domain, Parallel, RowView, Sweep};
+
+/// Values of the constant `DIFFUSION`: what a sweep is compiled for.
+const NONE: u8 = 0;
+const FILTER: u8 = 1;
+const HYDROSTATIC: u8 = 2;
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
     /// `Dn/Dt = n (-div u + Dm)` (eqs. 18-20, 23) with the velocities of the end of the step.
     pub(crate) fn sweep_density(&mut self, parallel: &Parallel, dt: T) {
         let corrected = !self.rates.pressure_correction.is_empty();
-        match (self.config.diffusion > T::zero(), corrected) {
-            (true, false) => self.sweep_density_with::<true, false>(parallel, dt),
-            (false, false) => self.sweep_density_with::<false, false>(parallel, dt),
-            (true, true) => self.sweep_density_with::<true, true>(parallel, dt),
-            (false, true) => self.sweep_density_with::<false, true>(parallel, dt),
+        match (self.config.diffusion, corrected) {
+            (Diffusion::None, false) => self.sweep_density_with::<NONE, false>(parallel, dt),
+            (Diffusion::None, true) => self.sweep_density_with::<NONE, true>(parallel, dt),
+            (Diffusion::Filter { .. }, false) => self.sweep_density_with::<FILTER, false>(parallel, dt),
+            (Diffusion::Filter { .. }, true) => self.sweep_density_with::<FILTER, true>(parallel, dt),
+            (Diffusion::Hydrostatic, false) => self.sweep_density_with::<HYDROSTATIC, false>(parallel, dt),
+            (Diffusion::Hydrostatic, true) => self.sweep_density_with::<HYDROSTATIC, true>(parallel, dt),
         }
     }
 
-    /// `Dm = delta dt c^2 / n0 <laplace n>`, and `<laplace n>` carries `2 D/n0` (eqs. 19, 20).
+    /// What the sum of the diffusion is multiplied with \[m^2/s\]: `Dm = delta dt c^2/n0 <laplace n>` with the filter
+    /// (eqs. 19, 20), and `dt c^2/n0 <laplace n>`, as `p = c^2 rho0 (n/n0 - 1)`, with the other.
     pub(crate) fn diffusivity(&self, dt: T) -> T {
         let c = self.config.sound_speed;
-        self.config.diffusion * dt * c * c * T::of(2.0) * self.reference.gradient_factor::<D>()
+        let two = T::of(2.0) * self.reference.gradient_factor::<D>();
+        dt * c
+            * c
+            * match self.config.diffusion {
+                Diffusion::None => T::zero(),
+                Diffusion::Filter { delta } => delta * two,
+                Diffusion::Hydrostatic => two / self.reference.lambda0,
+            }
     }
 
-    fn sweep_density_with<const DIFFUSION: bool, const CORRECTED: bool>(
-        &mut self,
-        parallel: &Parallel,
-        dt: T,
-    ) {
+    /// Slope of `n/n0` in a fluid at rest \[1/m\].
+    pub(crate) fn hydrostatic_slope(&self) -> Vector<T, D> {
+        self.config.gravity / (self.config.sound_speed * self.config.sound_speed)
+    }
+
+    fn sweep_density_with<const DIFFUSION: u8, const CORRECTED: bool>(&mut self, parallel: &Parallel, dt: T) {
         let mut rate = core::mem::take(&mut self.rates.density_rate);
         let factor = self.reference.gradient_factor::<D>();
         let sweep = Continuity::<_, D, _, _, DIFFUSION, CORRECTED> {
@@ -45,6 +61,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             wall: self.wall_pair(),
             factor,
             diffusion: self.diffusivity(dt),
+            slope: self.hydrostatic_slope(),
         };
         parallel.sweep(rate.as_mut_slice(), &sweep);
         self.rates.density_rate = rate;
@@ -59,7 +76,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 pub(crate) const MIRROR: f64 = 2.0;
 
 /// What [`Fluid::sweep_density`] does to one particle.
-struct Continuity<'a, T: Real, const D: usize, K, P, const DIFFUSION: bool, const CORRECTED: bool> {
+struct Continuity<'a, T: Real, const D: usize, K, P, const DIFFUSION: u8, const CORRECTED: bool> {
     neighbors: RowView<'a, T, D, K, P>,
     walls: RowView<'a, T, D, K, P>,
     flow: &'a [Flow<T, D>],
@@ -72,9 +89,11 @@ struct Continuity<'a, T: Real, const D: usize, K, P, const DIFFUSION: bool, cons
     factor: T,
     /// What the diffusion filter is multiplied with \[m^2/s\].
     diffusion: T,
+    /// Slope of `n/n0` in a fluid at rest \[1/m\].
+    slope: Vector<T, D>,
 }
 
-impl<T: Real, const D: usize, K, P, const DIFFUSION: bool, const CORRECTED: bool>
+impl<T: Real, const D: usize, K, P, const DIFFUSION: u8, const CORRECTED: bool>
     Continuity<'_, T, D, K, P, DIFFUSION, CORRECTED>
 where
     K: Kernel<T>,
@@ -110,7 +129,7 @@ where
     }
 }
 
-impl<'b, T: Real, const D: usize, K, P, const DIFFUSION: bool, const CORRECTED: bool> Sweep<&'b mut [T]>
+impl<'b, T: Real, const D: usize, K, P, const DIFFUSION: u8, const CORRECTED: bool> Sweep<&'b mut [T]>
     for Continuity<'_, T, D, K, P, DIFFUSION, CORRECTED>
 where
     K: Kernel<T>,
@@ -128,7 +147,10 @@ where
             // n_i times eq. 23: the n_i cancels.
             let opening = self.opening(i, &own, &other.vector(|flow| &flow.velocity), &pair);
             inflow -= density * opening;
-            if DIFFUSION {
+            if DIFFUSION == HYDROSTATIC {
+                filtered += HydrostaticDiffusion::pair(own.density, density, &self.slope, &pair);
+            }
+            if DIFFUSION == FILTER {
                 let gradient = other.vector(|flow| &flow.gradient);
                 filtered += DiffusionFilter::pair(own.density, &own.gradient, density, &gradient, &pair);
             }

@@ -26,7 +26,7 @@ mod time_step;
 
 pub use boundary::{Boundary, Slip};
 pub use budget::EnergyBudget;
-pub use config::{FluidConfig, PressureForm, Tension};
+pub use config::{Diffusion, FluidConfig, PressureForm, Tension};
 pub use energy::FluidEnergy;
 pub use eos::{EquationOfState, Tait};
 pub use error::FluidError;

@@ -23,7 +23,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// neighbours, because positions and densities are those of the start of the step.
     pub(crate) fn sweep_momentum(&mut self, parallel: &Parallel) {
         let corrected = !self.rates.pressure_correction.is_empty();
-        match (self.config.diffusion > T::zero(), corrected) {
+        match (self.config.diffusion.delta() > T::zero(), corrected) {
             (true, false) => self.sweep_momentum_with::<true, false>(parallel),
             (false, false) => self.sweep_momentum_with::<false, false>(parallel),
             (true, true) => self.sweep_momentum_with::<true, true>(parallel),

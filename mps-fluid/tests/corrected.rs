@@ -5,7 +5,7 @@
 mod common;
 
 use common::{BLOB, blob};
-use mps_fluid::{ArtificialViscosity, Fluid, FluidConfig, PressureForm};
+use mps_fluid::{ArtificialViscosity, Diffusion, Fluid, FluidConfig, PressureForm};
 use mps_kernel::weights::Rational;
 use mps_kernel::{Tensor, Vector};
 use mps_neighbors::Parallel;
@@ -58,7 +58,7 @@ fn energy_of_motion_and_compression_never_rises() {
 fn divergence_error(pressure_form: PressureForm, flow: &Tensor<f64, 2>) -> f64 {
     let parallel = Parallel::serial();
     let mut config = config(pressure_form);
-    config.diffusion = 0.0;
+    config.diffusion = Diffusion::None;
     let mut fluid: Fluid<f64, 2, Rational> = blob(12, 0.0, config, |_| ());
     let particles = fluid.particles_mut();
     particles.density.fill(1.0);

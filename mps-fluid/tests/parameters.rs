@@ -1,7 +1,7 @@
 //! Parameters no simulation can be run with are refused by name.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-use mps_fluid::{Boundary, Dpc, Fluid, FluidConfig, FluidError, FluidParticles, Shifting};
+use mps_fluid::{Boundary, Diffusion, Dpc, Fluid, FluidConfig, FluidError, FluidParticles, Shifting};
 use mps_kernel::Vector;
 use mps_kernel::weights::Rational;
 use mps_neighbors::Open;
@@ -40,7 +40,7 @@ fn bad_numbers_are_refused_by_name() {
         ("density", |c, x| c.density = x, &[0.0, -1000.0]),
         ("sound_speed", |c, x| c.sound_speed = x, &[0.0, -10.0]),
         ("gravity", |c, x| c.gravity[1] = x, &[]),
-        ("diffusion", |c, x| c.diffusion = x, &[-0.1, 3.0]),
+        ("diffusion", |c, x| c.diffusion = Diffusion::Filter { delta: x }, &[-0.1, 3.0]),
         ("cfl", |c, x| c.cfl = x, &[0.0, -0.5, 10.0]),
         ("skin_ratio", |c, x| c.skin_ratio = x, &[-0.1, 10.0]),
         ("repulsion", |c, x| c.collisions = Some(Dpc { repulsion: x, ..Dpc::default() }), &[-0.1, 2.0]),

@@ -4,7 +4,9 @@
 mod common;
 
 use common::lattice;
-use mps_fluid::{Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait, Tension};
+use mps_fluid::{
+    Boundary, Diffusion, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait, Tension,
+};
 use mps_kernel::Vector;
 use mps_kernel::weights::Rational;
 use mps_neighbors::{Open, Parallel};
@@ -27,7 +29,7 @@ fn rows() -> Vec<(f64, f64)> {
     let mut wall = Boundary::default();
     wall.add_wall(&lattice([-0.3, -0.03], [60, 3], L0), Slip::Free).unwrap();
     let mut config = FluidConfig::<f64, 2>::water(L0, SOUND);
-    (config.tension, config.collisions, config.diffusion) = (Tension::Keep, None, 0.0);
+    (config.tension, config.collisions, config.diffusion) = (Tension::Keep, None, Diffusion::None);
     let mut fluid = Fluid::new(config, Rational, |_: &_| (), Open, water, wall).unwrap();
     let parallel = Parallel::serial();
     fluid.begin_step(&parallel).unwrap();

@@ -8,6 +8,7 @@
 //! | divergence with the ratio of n | [`ConservativeDivergence`] | eq. 23, misprint corrected | `conservation.rs`, `polynomials.rs` |
 //! | Laplacian | [`Laplacian`] | eqs. 16, 25 | `polynomials.rs` |
 //! | density-diffusion filter | [`DiffusionFilter`] | eq. 20 | `diffusion.rs`, `von_neumann.rs` |
+//! | density diffusion with the hydrostatic part removed | [`HydrostaticDiffusion`] | Amaro et al. 2022, eq. 20 | `diffusion.rs` |
 //! | corrected matrix and its inverse | [`MomentMatrix`], [`invert_moment`] | eq. 22 | `gradient.rs`, `degenerate.rs` |
 //! | number density | [`NumberDensity`] | eq. 13 | `reference_density.rs`, `far_from_origin.rs` |
 //!
@@ -21,7 +22,7 @@ mod laplacian;
 mod moment;
 mod number_density;
 
-pub use diffusion::DiffusionFilter;
+pub use diffusion::{DiffusionFilter, HydrostaticDiffusion};
 pub use divergence::{ConservativeDivergence, Divergence};
 pub use gradient::{ConservativeGradient, Gradient};
 pub use laplacian::Laplacian;

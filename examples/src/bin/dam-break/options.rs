@@ -1,6 +1,6 @@
 //! The command line of the program, and the settings it stands for.
 
-use crate::setup::{HEIGHT, Release, Settings};
+use crate::setup::{HEIGHT, Release, Settings, Smoothing};
 use clap::Parser;
 use mps_examples::{Common, Refused};
 use mps_fluid::{PressureForm, Tension};
@@ -37,6 +37,9 @@ pub(crate) struct Options {
     /// Strength of the density diffusion; 0 switches it off
     #[arg(long, value_name = "DELTA", default_value_t = 0.5)]
     pub(crate) diffusion: f64,
+    /// The density diffusion without a strength that removes the hydrostatic part (Amaro et al. 2022) instead
+    #[arg(long, conflicts_with = "diffusion")]
+    pub(crate) hydrostatic_diffusion: bool,
     /// Strength of the artificial viscosity
     #[arg(long, value_name = "ALPHA", default_value_t = 0.02)]
     pub(crate) alpha: f64,
@@ -159,7 +162,11 @@ impl Options {
             release: self.release,
             sound_ratio: self.sound_ratio,
             cfl: self.cfl,
-            diffusion: self.diffusion,
+            diffusion: if self.hydrostatic_diffusion {
+                Smoothing::Hydrostatic
+            } else {
+                Smoothing::Filter(self.diffusion)
+            },
             alpha: self.alpha,
             tension: if self.keep_tension { Tension::Keep } else { Tension::Clip },
             collisions: !self.no_dpc,

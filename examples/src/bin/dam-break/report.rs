@@ -66,7 +66,8 @@ pub(crate) fn summary<T: Real, K: Kernel<T>>(
     summary.set("release", release);
     summary.set("sound_speed_m_s", sound_speed(settings));
     summary.set("cfl", settings.cfl);
-    summary.set("density_diffusion", settings.diffusion);
+    summary.set("density_diffusion_form", fluid.config().diffusion.name());
+    summary.set("density_diffusion", fluid.config().diffusion.delta().to_double());
     summary.set("artificial_viscosity", settings.alpha);
     summary.set("keep_tension", options.keep_tension);
     summary.set("collisions", settings.collisions);

@@ -61,7 +61,7 @@ fn at(rows: &[f64], height: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::setup::{DENSITY, DamBreak, GRAVITY, LENGTH, Release, Settings, TANK};
+    use crate::setup::{DENSITY, DamBreak, GRAVITY, LENGTH, Release, Settings, Smoothing, TANK};
     use mps_fluid::Tension;
     use mps_kernel::weights::WendlandGradient;
     use mps_neighbors::Parallel;
@@ -80,7 +80,7 @@ mod tests {
                 release: Release::Lifted,
                 sound_ratio: 10.0,
                 cfl: 0.5,
-                diffusion: 0.5,
+                diffusion: Smoothing::Filter(0.5),
                 alpha: 0.02,
                 tension: Tension::Clip,
                 collisions: true,

@@ -2,8 +2,8 @@
 
 use mps_examples::Failure;
 use mps_fluid::{
-    ArtificialViscosity, Boundary, Dpc, EquationOfState, Fluid, FluidConfig, FluidError, FluidParticles,
-    PressureForm, Shifting, Slip, Tait, Tension,
+    ArtificialViscosity, Boundary, Diffusion, Dpc, EquationOfState, Fluid, FluidConfig, FluidError,
+    FluidParticles, PressureForm, Shifting, Slip, Tait, Tension,
 };
 use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::{Open, Parallel};
@@ -46,6 +46,15 @@ pub(crate) enum Release {
     Lifted,
 }
 
+/// Diffusion of the density.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Smoothing {
+    /// The filter of the paper with this strength; 0 for none.
+    Filter(f64),
+    /// The one with the hydrostatic part removed.
+    Hydrostatic,
+}
+
 /// Everything the command line can change.
 #[derive(Clone, Debug)]
 pub(crate) struct Settings {
@@ -62,7 +71,7 @@ pub(crate) struct Settings {
     /// Courant number.
     pub(crate) cfl: f64,
     /// Strength of the density diffusion.
-    pub(crate) diffusion: f64,
+    pub(crate) diffusion: Smoothing,
     /// Strength of the artificial viscosity.
     pub(crate) alpha: f64,
     /// What becomes of pressures below zero.
@@ -97,7 +106,11 @@ impl<T: Real, K: Kernel<T>> DamBreak<T, K> {
         config.gravity = Vector::from([T::zero(), T::of(-GRAVITY)]);
         config.cfl = T::of(settings.cfl);
         config.pressure_form = settings.pressure_form;
-        config.diffusion = T::of(settings.diffusion);
+        config.diffusion = match settings.diffusion {
+            Smoothing::Hydrostatic => Diffusion::Hydrostatic,
+            Smoothing::Filter(delta) if delta > 0.0 => Diffusion::Filter { delta: T::of(delta) },
+            Smoothing::Filter(_) => Diffusion::None,
+        };
         config.tension = settings.tension;
         config.collisions = settings.collisions.then(Dpc::default);
         config.shifting = (settings.shifting > 0)

@@ -74,7 +74,7 @@ pub(crate) fn summary<T: Real>(
     summary.set("artificial_viscosity", settings.alpha);
     summary.set("shifting_parts", settings.shifting);
     summary.set("pressure_form", if options.corrected { "corrected" } else { "plain" });
-    summary.set("density_diffusion", scene.fluid().config().diffusion.to_double());
+    summary.set("density_diffusion", scene.fluid().config().diffusion.delta().to_double());
     summary.set("radius_ratio", scene.fluid().config().radius_ratio.to_double());
     summary.threads = threads;
     summary.precision = options.common.precision.name().to_owned();
