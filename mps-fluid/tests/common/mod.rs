@@ -1,4 +1,5 @@
 //! Scenes shared by the tests.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 #![allow(dead_code, unreachable_pub, reason = "every test uses its own part")]
 
 use mps_fluid::{Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait, Viscosity};
@@ -124,4 +125,16 @@ pub fn pressure_error<T: Real, const D: usize, V: Viscosity<T, D>>(
     };
     let sum: f64 = particles.position.iter().zip(&particles.pressure).map(error).sum();
     (sum / particles.position.len() as f64).sqrt() / (1000.0 * 9.81 * depth)
+}
+
+/// Cell centres at the given spacing between `low` and `high` at which `keep` holds; surfaces at multiples of
+/// the spacing lie half a spacing before the first of them.
+pub fn fill<const D: usize>(
+    low: [f64; D],
+    high: [f64; D],
+    spacing: f64,
+    keep: impl Fn(&Vector<f64, D>) -> bool,
+) -> Vec<Vector<f64, D>> {
+    let counts = core::array::from_fn(|axis| ((high[axis] - low[axis]) / spacing).round() as usize);
+    lattice::<f64, D>(low, counts, spacing).into_iter().filter(|r| keep(r)).collect()
 }
