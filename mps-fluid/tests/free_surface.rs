@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{lattice, tank, water};
+use common::{Noise, fill, lattice, tank, water};
 use mps_fluid::surface::Surface::{Detached, Free, Inner};
 use mps_fluid::surface::{GAP_LIMIT, Surface, has_gap, largest_gap};
 use mps_fluid::{Boundary, Fluid, FluidConfig, FluidParticles};
@@ -71,6 +71,52 @@ fn single_particles_and_pairs_are_spray() {
     assert_eq!(classes(&[Vector::<f64, 2>::zeros()]), [Detached]);
     assert_eq!(classes(&[Vector::<f64, 3>::zeros()]), [Detached]);
     assert_eq!(classes(&[Vector::<f64, 2>::zeros(), Vector::<f64, 2>::new(L0, 0.0)]), [Detached; 2]);
+}
+
+/// Wherever the centre lies: the last ring is surface, what has two rings around it is not.
+#[test]
+fn a_round_drop_has_its_rim_as_surface() {
+    for (k, radius) in [(0, 6.3), (1, 6.0), (2, 7.7), (3, 9.2)] {
+        let center = Vector::<f64, 2>::new(0.17 * f64::from(k), 0.31 * f64::from(k)) * L0;
+        let depth = |r: &Vector<f64, 2>| radius - (r - center).norm() / L0;
+        let points = fill([-0.12; 2], [0.12; 2], L0, |r| depth(r) > 0.0);
+        let classes = classes(&points);
+        for (r, class) in points.iter().zip(&classes) {
+            assert!(depth(r) > 0.7 || *class != Inner, "radius {radius}, depth {}: {class:?}", depth(r));
+            assert!(depth(r) < 2.0 || *class == Inner, "radius {radius}, depth {}: {class:?}", depth(r));
+        }
+        assert!(!classes.contains(&Detached), "radius {radius}");
+    }
+}
+
+/// Drops of one particle two spacings apart and a round one, thrown together.
+#[test]
+fn a_cloud_of_droplets_is_spray_that_flies_without_pressure() {
+    let mut noise = Noise::new(3);
+    let mut points = fill([0.0; 2], [0.4; 2], 2.0 * L0, |_| true);
+    points.iter_mut().for_each(|r| *r += noise.vector::<f64, 2>(0.3 * L0));
+    let cloud = points.len();
+    points.extend(fill([0.5, 0.0], [0.7, 0.2], L0, |r| (r - Vector::<f64, 2>::new(0.6, 0.1)).norm() < 0.08));
+    let mut config = FluidConfig::<f64, 2>::water(L0, 10.0);
+    config.gravity.y = -9.81;
+    let mut particles = FluidParticles::at_rest(points.clone());
+    particles.velocity.fill(Vector::from([2.0, 3.0]));
+    let mut fluid = Fluid::new(config, Rational, |_: &_| (), Open, particles, Boundary::default()).unwrap();
+    assert!(classify(&mut fluid)[..cloud].iter().all(|&class| class == Detached));
+    for _ in 0..100 {
+        fluid.step(&Parallel::serial()).unwrap();
+        assert!(fluid.particles().pressure.iter().all(|p| *p == 0.0), "step {}", fluid.steps());
+    }
+    let water = fluid.particles();
+    let speed = Vector::<f64, 2>::new(2.0, 3.0 - 9.81 * fluid.time());
+    let way = water.position[0] - points[water.id[0] as usize];
+    for ((r, u), &id) in water.position.iter().zip(&water.velocity).zip(&water.id) {
+        assert!((u - speed).norm() < 1e-12 && (r - points[id as usize] - way).norm() < 1e-12, "{id}");
+    }
+    assert!((way.x - 2.0 * fluid.time()).abs() < 1e-12);
+    let after = classify(&mut fluid);
+    assert!(after[..cloud].iter().all(|&class| class == Detached));
+    assert!(after[cloud..].iter().all(|&class| class != Detached));
 }
 
 #[test]

@@ -1,10 +1,11 @@
 //! Scenes shared by the tests.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 #![allow(dead_code, unreachable_pub, reason = "every test uses its own part")]
 
 use mps_fluid::{Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait, Viscosity};
 use mps_kernel::weights::Rational;
-use mps_kernel::{Real, ReferenceDensity, Vector};
-use mps_neighbors::Open;
+use mps_kernel::{Kernel, Real, ReferenceDensity, Vector};
+use mps_neighbors::{Open, Parallel};
 
 /// Reproducible noise in [-1, 1).
 pub struct Noise(u64);
@@ -124,4 +125,64 @@ pub fn pressure_error<T: Real, const D: usize, V: Viscosity<T, D>>(
     };
     let sum: f64 = particles.position.iter().zip(&particles.pressure).map(error).sum();
     (sum / particles.position.len() as f64).sqrt() / (1000.0 * 9.81 * depth)
+}
+
+/// Cell centres at the given spacing between `low` and `high` at which `keep` holds; surfaces at multiples of
+/// the spacing lie half a spacing before the first of them.
+pub fn fill<const D: usize>(
+    low: [f64; D],
+    high: [f64; D],
+    spacing: f64,
+    keep: impl Fn(&Vector<f64, D>) -> bool,
+) -> Vec<Vector<f64, D>> {
+    let counts = core::array::from_fn(|axis| ((high[axis] - low[axis]) / spacing).round() as usize);
+    lattice::<f64, D>(low, counts, spacing).into_iter().filter(|r| keep(r)).collect()
+}
+
+/// What a step did to the momenta of the fluid.
+pub struct Account {
+    pub dt: f64,
+    /// Force of the fluid on all walls \[N\].
+    pub force: Vector<f64, 2>,
+    /// Change of momentum that neither the walls nor gravity account for \[kg m/s\].
+    pub lost: f64,
+    /// The same of the angular momentum about the origin \[kg m^2/s\].
+    pub lost_spin: f64,
+}
+
+/// `sum a x b` in the plane.
+fn spin<'a>(pairs: impl Iterator<Item = (&'a Vector<f64, 2>, &'a Vector<f64, 2>)>) -> f64 {
+    pairs.map(|(a, b)| a.x * b.y - a.y * b.x).sum()
+}
+
+/// One step among walls that are all reactive; `motion` sets the velocities the boundary points move with.
+pub fn step_on_account<K: Kernel<f64>, V: Viscosity<f64, 2>>(
+    fluid: &mut Fluid<f64, 2, K, V>,
+    motion: impl FnOnce(&mut Boundary<f64, 2>, f64),
+) -> Account {
+    let parallel = Parallel::serial();
+    let momenta = |fluid: &Fluid<f64, 2, K, V>| {
+        let water = fluid.particles();
+        let spin = spin(water.position.iter().zip(&water.velocity));
+        (fluid.momentum(&parallel), spin * fluid.config().particle_mass())
+    };
+    let before = momenta(fluid);
+    let dt = fluid.begin_step(&parallel).unwrap();
+    let weight = fluid.config().gravity * fluid.config().particle_mass();
+    let water = &fluid.particles().position;
+    let (pull, turn) = (weight * water.len() as f64, spin(water.iter().map(|r| (r, &weight))));
+    let walls = fluid.boundary();
+    let force: Vector<f64, 2> = walls.force.iter().sum();
+    let torque = spin(walls.position.iter().zip(&walls.force));
+    motion(fluid.boundary_mut(), dt);
+    fluid.finish_step(&parallel, dt);
+    let after = momenta(fluid);
+    let Boundary { position, velocity, .. } = fluid.boundary_mut();
+    position.iter_mut().zip(velocity).for_each(|(r, u)| *r += *u * dt);
+    Account {
+        dt,
+        force,
+        lost: (after.0 - before.0 - (pull - force) * dt).norm(),
+        lost_spin: (after.1 - before.1 - (turn - torque) * dt).abs(),
+    }
 }
