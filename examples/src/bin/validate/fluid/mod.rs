@@ -1,6 +1,7 @@
 //! The cases of the fluid alone.
 
 mod couette;
+mod dam_break;
 mod drop;
 mod free_fall;
 mod hydrostatic;
@@ -29,5 +30,6 @@ pub(crate) fn cases() -> Vec<Box<dyn Case>> {
         Box::new(hydrostatic::Hydrostatic::<2>),
         Box::new(resting::Resting),
         Box::new(hydrostatic::Hydrostatic::<3>),
+        Box::new(dam_break::DamBreak3d),
     ]
 }
