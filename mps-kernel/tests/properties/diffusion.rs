@@ -11,7 +11,7 @@
 //! is symmetric and takes from `sum n_i^2` what the slopes leave unexplained: never a gain.
 
 use crate::common::{Cloud, Noise, Scene, Weight, close, epsilon, scene};
-use mps_kernel::operators::{Corrected, DiffusionFilter, Gradient};
+use mps_kernel::operators::{Corrected, DiffusionFilter, Gradient, HydrostaticDiffusion};
 use mps_kernel::{Real, Tensor, Vector, apply};
 use proptest::prelude::*;
 
@@ -196,5 +196,39 @@ fn filter_sees_quartics() {
         let gradients = cloud.corrected_gradients(&field).unwrap();
         let found = apply(&filter(&cloud), &cloud, cloud.middle(), &pack(&field, &gradients));
         assert!(found < -0.5, "{weight:?}: {found}");
+    }
+}
+
+/// On any particles: a field that follows the slope at rest stays, whatever the neighbourhood; nothing is created;
+/// and the sum of squares of what differs from the slope never grows.
+fn hydrostatic<T: Real, const D: usize>(cloud: &Cloud<T, D>, seed: u64) -> Result<(), TestCaseError> {
+    let mut noise = Noise(seed ^ 0x22);
+    let slope = noise.direction::<T, D>() / cloud.spacing;
+    let operator = HydrostaticDiffusion { factor: cloud.factor() / (cloud.spacing * cloud.spacing), slope };
+    let rest: Vec<T> = cloud.at.iter().map(|x| slope.dot(x)).collect();
+    let weights: f64 = cloud.each(&operator, &rest).iter().map(|f| f.to_double().abs()).sum();
+    let scale = operator.factor.to_double() * cloud.at.len() as f64;
+    // Dozens of terms below 4 with weights of up to 30.
+    close("what is at rest", weights, 0.0, 1e5 * epsilon::<T>() * scale)?;
+
+    let off: Vec<T> = rest.iter().map(|_| noise.between(-1.0, 1.0)).collect();
+    let field: Vec<T> = rest.iter().zip(&off).map(|(&a, &b)| a + b).collect();
+    let found = cloud.each(&operator, &field);
+    let (mut sum, mut product) = (0.0, 0.0);
+    for (f, n) in found.iter().zip(&off) {
+        sum += f.to_double();
+        product += f.to_double() * n.to_double();
+    }
+    close("sum", sum, 0.0, 1e5 * epsilon::<T>() * scale)?;
+    prop_assert!(product < 0.0, "the differences have grown: {product}");
+    Ok(())
+}
+
+proptest! {
+    #[test]
+    fn diffusion_less_the_hydrostatic_part_leaves_rest_alone_on_any_particles(scene in scene()) {
+        hydrostatic(&Cloud::<f64, 2>::jittered(&scene, 6), scene.seed)?;
+        hydrostatic(&Cloud::<f64, 3>::jittered(&scene, 4), scene.seed)?;
+        hydrostatic(&Cloud::<f32, 2>::jittered(&scene, 6), scene.seed)?;
     }
 }

@@ -10,11 +10,12 @@ mod reference;
 mod report;
 mod sensors;
 mod setup;
+mod stabilisers;
 
 use clap::Parser;
 use fields::Fields;
 use mps_examples::{Due, Failure, Moments, Precision, closing_words, report_failure};
-use mps_io::Progress;
+use mps_io::{Progress, Summary};
 use mps_kernel::weights::{Rational, WendlandGradient};
 use mps_kernel::{Kernel, Real};
 use mps_neighbors::Parallel;
@@ -38,12 +39,7 @@ const SNAPSHOTS: [f64; 10] = [0.0, 1.0, 2.0, 2.5, 3.0, 4.0, 5.0, 5.5, JET, 7.0];
 const JET: f64 = 6.0;
 
 fn main() -> ExitCode {
-    let options = Options::parse();
-    let done = match options.common.precision {
-        Precision::F32 => run_with_weight::<f32>(&options),
-        Precision::F64 => run_with_weight::<f64>(&options),
-    };
-    match done {
+    match run_all(&Options::parse()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             report_failure(&failure);
@@ -52,18 +48,42 @@ fn main() -> ExitCode {
     }
 }
 
-fn run_with_weight<T: Real>(options: &Options) -> Result<(), Failure> {
+fn run_all(options: &Options) -> Result<(), Failure> {
+    if !options.stabilisers {
+        let (_, done) = run_with_precision(options)?;
+        return done;
+    }
+    options.settings()?;
+    let dir = options.common.out.clone().unwrap_or_else(|| "out/stabilisers".into());
+    // One that ends early has its row as well.
+    stabilisers::compare(options, &dir, |options| Ok(run_with_precision(options)?.0))
+}
+
+/// The results of a run and how it ended.
+type Ended = (Summary, Result<(), Failure>);
+
+fn run_with_precision(options: &Options) -> Result<Ended, Failure> {
+    match options.common.precision {
+        Precision::F32 => run_with_weight::<f32>(options),
+        Precision::F64 => run_with_weight::<f64>(options),
+    }
+}
+
+fn run_with_weight<T: Real>(options: &Options) -> Result<Ended, Failure> {
     match options.weight {
         Weight::Smooth => run::<T, _>(options, WendlandGradient),
         Weight::Rational => run::<T, _>(options, Rational),
     }
 }
 
-fn run<T: Real, K: Kernel<T>>(options: &Options, weight: K) -> Result<(), Failure> {
+fn run<T: Real, K: Kernel<T>>(options: &Options, weight: K) -> Result<Ended, Failure> {
     let settings = options.settings()?;
     let parallel = options.common.parallel()?;
     let dir = options.common.output("dam-break")?;
     let mut dam = DamBreak::<T, K>::new(&settings, weight)?;
+    if !options.no_books {
+        dam.fluid_mut().keep_books();
+    }
     let mut observer = Observer::new(&dir, &mut dam, &parallel)?;
     let mut stepping = 0.0;
     // Inside the pool the loops of a step need no hand-over between threads.
@@ -79,7 +99,7 @@ fn run<T: Real, K: Kernel<T>>(options: &Options, weight: K) -> Result<(), Failur
     if done.is_ok() && !options.common.quiet {
         closing_words(&dir, &summary);
     }
-    done
+    Ok((summary, done))
 }
 
 /// The time loop with everything that watches it.

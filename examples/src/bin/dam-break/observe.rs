@@ -7,7 +7,7 @@ use mps_examples::Failure;
 use mps_fluid::FluidEnergy;
 use mps_fluid::surface::Surface;
 use mps_io::CsvWriter;
-use mps_kernel::{Kernel, Real};
+use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::Parallel;
 use std::path::Path;
 
@@ -58,8 +58,9 @@ pub(crate) struct Observer {
     /// Potential energy of the water at the start \[J/m\].
     energy_scale: f64,
     first_energy: f64,
-    /// Largest part of the change of the energy that no cause explains, over the energy the water can give.
-    pub(crate) energy_open: f64,
+    /// Largest part of the change of the energy that no cause explains, over the energy the water can give; `None`
+    /// without books.
+    pub(crate) energy_open: Option<f64>,
     lowest_energy: f64,
     /// Largest rise of the total energy above an earlier value, over the energy the water can give.
     pub(crate) energy_rise: f64,
@@ -69,6 +70,8 @@ pub(crate) struct Observer {
     first_packing: f64,
     /// Growth of the volume of the water from start to end.
     pub(crate) volume_drift: Option<f64>,
+    /// Spread of the distance to the nearest neighbour inside the water at the end, over the spacing.
+    pub(crate) disorder: Option<f64>,
 }
 
 impl Observer {
@@ -77,19 +80,19 @@ impl Observer {
         dam: &mut DamBreak<T, K>,
         parallel: &Parallel,
     ) -> Result<Self, Failure> {
-        dam.fluid_mut().keep_books();
         let energy = dam.fluid().energy(parallel);
         Ok(Self {
             csv: CsvWriter::create(dir.join("probes.csv"), COLUMNS)?,
             samples: Vec::new(),
             energy_scale: energy.potential.to_double(),
             first_energy: energy.total().to_double(),
-            energy_open: 0.0,
+            energy_open: dam.fluid().budget().map(|_| 0.0),
             lowest_energy: energy.total().to_double(),
             energy_rise: 0.0,
             leaked: vec![false; dam.fluid().particles().position.len()],
             first_packing: inner_packing(dam, parallel)?,
             volume_drift: None,
+            disorder: None,
         })
     }
 
@@ -98,9 +101,10 @@ impl Observer {
         let total = dam.fluid().energy(parallel).total().to_double();
         self.energy_rise = self.energy_rise.max((total - self.lowest_energy) / self.energy_scale);
         self.lowest_energy = self.lowest_energy.min(total);
-        let explained = dam.fluid().budget().map_or(0.0, |b| b.total().to_double());
-        let open = (total - self.first_energy - explained).abs() / self.energy_scale;
-        self.energy_open = self.energy_open.max(open);
+        if let (Some(largest), Some(budget)) = (&mut self.energy_open, dam.fluid().budget()) {
+            let open = (total - self.first_energy - budget.total().to_double()).abs() / self.energy_scale;
+            *largest = largest.max(open);
+        }
         let particles = dam.fluid().particles();
         let out = -0.5 * dam.fluid().config().spacing.to_double();
         for (r, &id) in particles.position.iter().zip(&particles.id) {
@@ -151,6 +155,11 @@ impl Observer {
         parallel: &Parallel,
     ) -> Result<(), Failure> {
         self.volume_drift = Some(self.first_packing / inner_packing(dam, parallel)? - 1.0);
+        let l0 = dam.fluid().config().spacing.to_double();
+        let inner = inner(dam, parallel)?;
+        let places: Vec<_> =
+            inner.iter().map(|&i| dam.fluid().particles().position[i].map(Real::to_double)).collect();
+        self.disorder = Some(spread_of_nearest(places) / l0);
         Ok(())
     }
 
@@ -165,17 +174,67 @@ impl Observer {
     }
 }
 
+/// Particles that are not at the surface.
+fn inner<T: Real, K: Kernel<T>>(
+    dam: &mut DamBreak<T, K>,
+    parallel: &Parallel,
+) -> Result<Vec<usize>, Failure> {
+    let mut surface = Vec::new();
+    dam.fluid_mut().classify_surface(parallel, &mut surface)?;
+    Ok((0..surface.len()).filter(|&i| surface[i] == Surface::Inner).collect())
+}
+
 /// Median of the packing (sum of weights over that of the lattice) of the particles that are not at the
 /// surface. A volume that grows shows as a packing that falls.
 fn inner_packing<T: Real, K: Kernel<T>>(
     dam: &mut DamBreak<T, K>,
     parallel: &Parallel,
 ) -> Result<f64, Failure> {
-    let mut surface = Vec::new();
-    dam.fluid_mut().classify_surface(parallel, &mut surface)?;
-    let packing = dam.fluid().packing().iter().zip(&surface);
-    let mut inner: Vec<f64> =
-        packing.filter(|(_, s)| **s == Surface::Inner).map(|(p, _)| p.to_double()).collect();
-    inner.sort_unstable_by(f64::total_cmp);
-    Ok(inner.get(inner.len() / 2).copied().unwrap_or(1.0))
+    let inner = inner(dam, parallel)?;
+    let mut packing: Vec<f64> = inner.iter().map(|&i| dam.fluid().packing()[i].to_double()).collect();
+    packing.sort_unstable_by(f64::total_cmp);
+    Ok(packing.get(packing.len() / 2).copied().unwrap_or(1.0))
+}
+
+/// Standard deviation of the distance to the nearest neighbour: 0 on a lattice.
+fn spread_of_nearest(mut places: Vec<Vector<f64, 2>>) -> f64 {
+    places.sort_unstable_by(|a, b| a.x.total_cmp(&b.x));
+    let nearest = |i: usize| {
+        let near = |nearest: f64, j: usize| nearest.min((places[j] - places[i]).norm());
+        // Beyond the nearest so far along x there is nothing nearer.
+        let mut found = f64::INFINITY;
+        for j in (0..i).rev() {
+            if places[i].x - places[j].x > found {
+                break;
+            }
+            found = near(found, j);
+        }
+        for j in i + 1..places.len() {
+            if places[j].x - places[i].x > found {
+                break;
+            }
+            found = near(found, j);
+        }
+        found
+    };
+    let distances: Vec<f64> = (0..places.len()).map(nearest).filter(|d| d.is_finite()).collect();
+    let count = distances.len().max(1) as f64;
+    let mean = distances.iter().sum::<f64>() / count;
+    (distances.iter().map(|d| (d - mean).powi(2)).sum::<f64>() / count).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lattice_has_no_disorder_and_a_disturbed_one_has() {
+        let lattice = |size: f64| {
+            let place =
+                |k: usize| Vector::from([(k % 9) as f64 + size * ((k * k) as f64).sin(), (k / 9) as f64]);
+            spread_of_nearest((0..81).map(place).collect())
+        };
+        assert!(lattice(0.0) < 1e-12);
+        assert!((0.01..0.1).contains(&lattice(0.1)), "{}", lattice(0.1));
+    }
 }

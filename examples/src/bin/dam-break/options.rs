@@ -56,6 +56,12 @@ pub(crate) struct Options {
     /// ones tear with it so far
     #[arg(long)]
     pub(crate) corrected: bool,
+    /// Do not split the energy by cause, which costs a third of a step
+    #[arg(long)]
+    pub(crate) no_books: bool,
+    /// Run with each stabiliser switched in turn, and write a table of what it brings and costs
+    #[arg(long)]
+    pub(crate) stabilisers: bool,
     #[command(flatten)]
     pub(crate) common: Common,
 }

@@ -150,13 +150,14 @@ fn results(settings: &Settings, observer: &Observer) -> Vec<(String, Option<Metr
     put("front_error_paper1", front.map(|f| ideal(f.mean, SOURCE)));
     put("front_lead", front.map(|f| ideal(f.lead, SOURCE)));
     put("pressure_noise", pressure_noise(samples).map(|rms| ideal(rms, "no noise")));
-    put("energy_closure", Some(ideal(observer.energy_open, "every change of energy has a cause")));
+    put("energy_closure", observer.energy_open.map(|open| ideal(open, "every change of energy has a cause")));
     put("energy_rise", Some(ideal(observer.energy_rise, "total energy never rises")));
     let last = samples.last().map_or([0.0; 5], |s| s.received);
     for (name, value) in CAUSES.iter().zip(last) {
-        put(&format!("energy_by_{name}"), Some(plain(value)));
+        put(&format!("energy_by_{name}"), observer.energy_open.map(|_| plain(value)));
     }
     put("energy_dissipated", Some(plain(observer.dissipated())));
+    put("particle_disorder", observer.disorder.map(|d| ideal(d, "a lattice")));
     put("volume_drift", observer.volume_drift.map(|drift| ideal(drift, "the volume is kept")));
     put("leaked_particles", Some(ideal(observer.leaked() as f64, "no leak")));
     results
