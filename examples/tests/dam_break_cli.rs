@@ -123,6 +123,7 @@ fn a_run_leaves_tables_pictures_fields_and_a_summary() {
 
     for file in [
         "probes.csv",
+        "energy.png",
         "front.png",
         "pressure_1.png",
         "pressure_2.png",
@@ -178,7 +179,8 @@ fn quiet_prints_nothing_and_without_fields_there_are_none() {
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
         .collect();
     left.sort_unstable();
-    let plots = ["front.png", "pressure_1.png", "pressure_2.png", "pressure_3.png", "pressure_4.png"];
+    let plots =
+        ["energy.png", "front.png", "pressure_1.png", "pressure_2.png", "pressure_3.png", "pressure_4.png"];
     assert_eq!(left, [&plots[..], &["probes.csv", "summary.json"]].concat());
 }
 
