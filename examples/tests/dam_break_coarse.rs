@@ -17,8 +17,10 @@ fn a_coarse_dam_break_arrives_on_time_and_keeps_its_books() {
     let noise = value("pressure_noise");
     assert!(noise < 0.15, "the pressure is noisy by {noise} rho g H");
     assert_eq!(value("leaked_particles"), 0.0);
-    let rise = value("energy_closure");
+    let open = value("energy_closure");
+    assert!(open < 0.01, "{open:e} of the energy has come or gone without a cause");
+    let rise = value("energy_rise");
     assert!(rise <= 1e-9, "the total energy has risen by {rise:e} of what the water can give");
     let drift = value("volume_drift");
-    assert!(drift.abs() < 0.04, "the volume has changed by {drift}");
+    assert!(drift.abs() < 0.05, "the volume has changed by {drift}");
 }

@@ -31,6 +31,9 @@ const BOUNDS: &[(&str, &str, u64, f64)] = &[
     ("hydrostatic", "kinetic/potential energy", 20, 5e-6),
     ("resting", "kinetic/potential energy", 10, 1e-6),
     ("hydrostatic-3d", "pressure, L2 error", 8, 0.03),
+    ("dam-break-3d", "front, largest difference", 8, 0.1),
+    ("dam-break-3d", "energy without a cause", 8, 0.01),
+    ("dam-break-3d", "leaked particles", 8, 0.0),
 ];
 
 #[test]

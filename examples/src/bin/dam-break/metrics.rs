@@ -44,6 +44,14 @@ pub(crate) fn band_fraction(samples: &[Sample], sensor: usize, band: &[Band]) ->
     Some(compared.iter().filter(|inside| **inside).count() as f64 / compared.len() as f64)
 }
 
+/// Mean pressure on the large sensor between 3.5 and 4.5, over `rho g H`.
+pub(crate) fn large_sensor_mean(samples: &[Sample]) -> Option<f64> {
+    const SPAN: [f64; 2] = [3.5, 4.5];
+    reached(samples, SPAN[1])?;
+    let span = between(samples, SPAN);
+    Some(span.iter().map(|s| s.large).sum::<f64>() / span.len() as f64)
+}
+
 /// Root mean square of what is faster than [`NOISE_WINDOW`] in the pressure between the impacts, over
 /// `rho g H`: the signal less its moving mean. The noisiest sensor counts.
 pub(crate) fn pressure_noise(samples: &[Sample]) -> Option<f64> {
@@ -152,6 +160,7 @@ mod tests {
                 time,
                 front: front(time),
                 pressure: [pressure(time); 4],
+                large: 0.0,
                 energy: [0.0; 3],
                 received: [0.0; 5],
             })
@@ -205,6 +214,7 @@ mod tests {
         let short = &run[..500];
         assert!(arrival(short, 0).is_none() && first_peak(short, 0).is_none());
         assert!(band_fraction(short, 0, SENSORS[0].points).is_none());
+        assert!(large_sensor_mean(short).is_none());
         assert!(front_error(short, 0.5).is_none() && pressure_noise(short).is_none());
     }
 }

@@ -1,7 +1,7 @@
 //! What is watched while the water runs: front, levels, pressures, energies, and every way out.
 
 use crate::outline::{front, levels};
-use crate::sensors::pressures;
+use crate::sensors::{large_sensor, pressures};
 use crate::setup::{DamBreak, HEIGHT, PRESSURE, TANK, TIME};
 use mps_examples::Failure;
 use mps_fluid::FluidEnergy;
@@ -20,6 +20,7 @@ const COLUMNS: &[&str] = &[
     "p2/(rho g H) [-]",
     "p3/(rho g H) [-]",
     "p4/(rho g H) [-]",
+    "p(70 to 160 mm)/(rho g H) [-]",
     "level 1 h/H [-]",
     "level 2 h/H [-]",
     "level 3 h/H [-]",
@@ -45,6 +46,8 @@ pub(crate) struct Sample {
     pub(crate) front: f64,
     /// `p/(rho g H)` of each sensor.
     pub(crate) pressure: [f64; 4],
+    /// The same of the large sensor of another experiment.
+    pub(crate) large: f64,
     /// Energy over that of the water at the start: kinetic, potential and compression.
     pub(crate) energy: [f64; 3],
     /// Energy received since the start in the same unit: from viscosity, diffusion, collisions, shifting, walls.
@@ -134,13 +137,14 @@ impl Observer {
             time: seconds / TIME,
             front: front(&particles.position, l0) / HEIGHT,
             pressure: pressures(fluid.boundary(), l0).map(|p| p / PRESSURE),
+            large: large_sensor(fluid.boundary(), l0) / PRESSURE,
             energy: parts.map(|e| e / self.energy_scale),
             received: received.map(|e| e / self.energy_scale),
         };
         self.samples.push(sample);
         let [p1, p2, p3, p4] = sample.pressure;
         let [h1, h2, h3, h4] = levels(&particles.position, l0).map(|h| h / HEIGHT);
-        let mut row = vec![seconds, sample.time, sample.front, p1, p2, p3, p4, h1, h2, h3, h4];
+        let mut row = vec![seconds, sample.time, sample.front, p1, p2, p3, p4, sample.large, h1, h2, h3, h4];
         row.push(energy.total().to_double());
         row.extend(parts.iter().chain(&received));
         row.push(dt);

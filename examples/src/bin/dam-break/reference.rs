@@ -20,6 +20,10 @@ impl Band {
     }
 }
 
+/// Mean pressure over `rho g H` between 3.5 and 4.5 on the disc of 90 mm of another experiment, and its source: another
+/// method at 320 particles over the height of the column. That experiment, of Buchner (2002), has 0.55.
+pub(crate) const LARGE_SENSOR: (f64, &str) = (0.579, "Marrone et al. 2011 (delta-SPH, H/dx = 320)");
+
 /// What one sensor has recorded.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SensorRecord {

@@ -1,9 +1,9 @@
 //! The plots against the experiment and summary.json.
 
-use crate::metrics::{arrival, band_fraction, first_peak, front_error, pressure_noise};
+use crate::metrics::{arrival, band_fraction, first_peak, front_error, large_sensor_mean, pressure_noise};
 use crate::observe::{Observer, Sample};
 use crate::options::Options;
-use crate::reference::{FRONT, SENSORS, SOURCE};
+use crate::reference::{FRONT, LARGE_SENSOR, SENSORS, SOURCE};
 use crate::sensors::HEIGHTS;
 use crate::setup::{DamBreak, HEIGHT, LENGTH, OPENING_TIME, Release, Settings, TANK, TIME, sound_speed};
 use mps_examples::Failure;
@@ -142,6 +142,10 @@ fn results(settings: &Settings, observer: &Observer) -> Vec<(String, Option<Metr
             inside.map(|share| plain(share).compared_with(1.0, SOURCE)),
         ));
     }
+    results.push((
+        "large_sensor".to_owned(),
+        large_sensor_mean(samples).map(|p| plain(p).compared_with(LARGE_SENSOR.0, LARGE_SENSOR.1)),
+    ));
     let front = front_error(samples, if settings.release == Release::Instant { OPENING_TIME } else { 0.0 });
     let mut put = |name: &str, metric: Option<Metric>| results.push((name.to_owned(), metric));
     put("front_rms", front.map(|f| ideal(f.rms, SOURCE)));
