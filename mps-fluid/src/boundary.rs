@@ -9,7 +9,7 @@
 //!
 //! Fluid that slides over a wall feels its points one by one. With the spacing of the fluid this is a
 //! roughness that makes noise in the pressure; points at half of it, each with a quarter of the volume
-//! in 2D ([`Boundary::add_fine_wall`]), are as good as smooth (`tests/sliding.rs`).
+//! in 2D ([`Boundary::add_fine_wall`]), are as good as smooth (`tests/suite/sliding.rs`).
 
 use core::ops::Range;
 use mps_kernel::{Real, Vector};

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 #![allow(unsafe_code, reason = "counting allocations takes a global allocator")]
 
+#[path = "suite/common/mod.rs"]
 mod common;
 
 use common::{Noise, tank, water};

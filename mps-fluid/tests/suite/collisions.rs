@@ -1,9 +1,7 @@
 //! Pairwise collisions keep momentum and never create kinetic energy, whatever the cloud.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::Noise;
+use crate::common::Noise;
 use mps_fluid::{Boundary, Dpc, Fluid, FluidConfig, FluidParticles};
 use mps_kernel::Vector;
 use mps_kernel::weights::Rational;

@@ -1,9 +1,7 @@
 //! Shear along walls: none with free slip, that of the laminar fluid without slip.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::lattice;
+use crate::common::lattice;
 use core::f64::consts::PI;
 use mps_fluid::{Boundary, Fluid, FluidConfig, FluidParticles, LaminarViscosity, Slip};
 use mps_kernel::Vector;

@@ -1,9 +1,7 @@
 //! The energy of the fluid changes by what the books say.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::{Noise, lattice, water};
+use crate::common::{Noise, lattice, water};
 use mps_fluid::{
     ArtificialViscosity, Boundary, Dpc, EnergyBudget, Fluid, FluidConfig, FluidParticles, Shifting, Slip,
     Tension, Viscosity,
@@ -125,7 +123,7 @@ fn a_field_from_outside_is_booked() {
 
 #[test]
 fn books_change_nothing_and_are_closed_by_default() {
-    let build = || common::tank([8, 8], water::<f64, 2>(L0, 0.08), |_| ());
+    let build = || crate::common::tank([8, 8], water::<f64, 2>(L0, 0.08), |_| ());
     let (mut open, mut closed) = (build(), build());
     open.keep_books();
     for _ in 0..20 {

@@ -1,9 +1,7 @@
 //! Walls that move by a prescribed law: pistons and stirrers.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::{Account, fill, step_on_account};
+use crate::common::{Account, fill, step_on_account};
 use mps_fluid::{
     ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait,
 };

@@ -1,9 +1,7 @@
 //! How well the made-up state of a wall continues linear fields: where walls are still inexact.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::lattice;
+use crate::common::lattice;
 use mps_fluid::{
     Boundary, Diffusion, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait, Tension,
 };

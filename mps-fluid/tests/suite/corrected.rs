@@ -2,9 +2,7 @@
 //! for linear velocities.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::{BLOB, blob};
+use crate::common::{BLOB, blob};
 use mps_fluid::{ArtificialViscosity, Diffusion, Fluid, FluidConfig, PressureForm};
 use mps_kernel::weights::Rational;
 use mps_kernel::{Tensor, Vector};

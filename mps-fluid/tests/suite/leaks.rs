@@ -1,9 +1,7 @@
 //! Walls hold the fluid.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::{lattice, water};
+use crate::common::{lattice, water};
 use mps_fluid::{ArtificialViscosity, Boundary, Fluid, FluidConfig, FluidParticles, Slip};
 use mps_kernel::Vector;
 use mps_kernel::weights::Rational;

@@ -1,9 +1,7 @@
 //! Diffusion of the density: what each choice damps and what it leaves alone.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::{lattice, pressure_error, tank, water};
+use crate::common::{lattice, pressure_error, tank, water};
 use mps_fluid::{ArtificialViscosity, Boundary, Diffusion, Fluid, FluidConfig, FluidParticles, Tension};
 use mps_kernel::Vector;
 use mps_kernel::weights::WendlandGradient;

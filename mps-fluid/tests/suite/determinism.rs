@@ -1,9 +1,7 @@
 //! The same bits for any number of threads and any vector instructions.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::{Noise, tank, water};
+use crate::common::{Noise, tank, water};
 use mps_fluid::{ArtificialViscosity, Shifting};
 use mps_neighbors::{Parallel, state_hash};
 

@@ -1,9 +1,7 @@
 //! Water rests in basins of any shape: what the walls add to its pressure, and what its packing does.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::fill;
+use crate::common::fill;
 use mps_fluid::{
     ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait,
 };

@@ -1,9 +1,7 @@
 //! Water hits walls of every shape with ten times the speed of its fall: nothing passes, nothing is lost.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::{fill, step_on_account};
+use crate::common::{fill, step_on_account};
 use mps_fluid::{Boundary, Fluid, FluidConfig, FluidParticles, Slip};
 use mps_kernel::weights::{Rational, WendlandGradient};
 use mps_kernel::{Kernel, Vector};

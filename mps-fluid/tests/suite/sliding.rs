@@ -1,9 +1,7 @@
 //! Water that slides along a wall feels the weight above it and nothing else.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::lattice;
+use crate::common::lattice;
 use mps_fluid::{
     ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait,
 };

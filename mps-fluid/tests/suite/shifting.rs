@@ -1,9 +1,7 @@
 //! Particle shifting evens out the packing and disturbs nothing that is even already.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::{Noise, lattice};
+use crate::common::{Noise, lattice};
 use mps_fluid::{Boundary, Fluid, FluidConfig, FluidParticles, Shifting};
 use mps_kernel::weights::Rational;
 use mps_kernel::{Neighborhood, Vector};

@@ -1,9 +1,7 @@
 //! A blob of fluid alone in space keeps its momenta and never gains energy.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::{BLOB, blob};
+use crate::common::{BLOB, blob};
 use mps_fluid::{
     ArtificialViscosity, Boundary, Dpc, Fluid, FluidConfig, LaminarViscosity, Tension, Viscosity,
 };

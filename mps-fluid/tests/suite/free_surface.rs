@@ -1,9 +1,7 @@
 //! The free surface is found on shapes whose surface is known.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::{Noise, fill, lattice, tank, water};
+use crate::common::{Noise, fill, lattice, tank, water};
 use mps_fluid::surface::Surface::{Detached, Free, Inner};
 use mps_fluid::surface::{GAP_LIMIT, Surface, has_gap, largest_gap};
 use mps_fluid::{Boundary, Fluid, FluidConfig, FluidParticles};

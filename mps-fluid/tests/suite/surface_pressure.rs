@@ -1,9 +1,7 @@
 //! Pressure at the free surface, and what an impact leaves behind.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::fill;
+use crate::common::fill;
 use mps_fluid::surface::Surface::{Detached, Free};
 use mps_fluid::{
     ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait,

@@ -2,9 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 #![allow(unsafe_code, reason = "counting memory takes a global allocator")]
 
-mod common;
-
-use common::{tank, water};
+use crate::common::{tank, water};
 use mps_fluid::{ArtificialViscosity, Fluid, FluidError};
 use mps_kernel::Vector;
 use mps_kernel::weights::Rational;

@@ -1,9 +1,7 @@
 //! The tank also rests in three dimensions and in single precision.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::{pressure_error, tank, water};
+use crate::common::{pressure_error, tank, water};
 use mps_fluid::ArtificialViscosity;
 use mps_kernel::Real;
 use mps_neighbors::Parallel;

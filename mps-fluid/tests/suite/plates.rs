@@ -1,9 +1,7 @@
 //! Thin plates with water on both sides.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::fill;
+use crate::common::fill;
 use mps_fluid::{
     ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait,
 };

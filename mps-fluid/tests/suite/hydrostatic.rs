@@ -1,9 +1,7 @@
 //! A tank at rest comes to rest again, with the hydrostatic pressure.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::{pressure_error, tank, water};
+use crate::common::{pressure_error, tank, water};
 use mps_fluid::{ArtificialViscosity, Dpc};
 use mps_neighbors::Parallel;
 

@@ -1,9 +1,7 @@
 //! Moving tanks: what the fluid feels of the motion of its walls.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-mod common;
-
-use common::{closed_walls, lattice, tank, water};
+use crate::common::{closed_walls, lattice, tank, water};
 use mps_fluid::{
     ArtificialViscosity, Boundary, Fluid, FluidConfig, FluidParticles, Slip, Tension, Viscosity,
 };

@@ -1,0 +1,30 @@
+//! Everything the fluid promises, one idea a file.
+//!
+//! One program instead of one a file: what the fluid is compiled to is the same in most of them, and compiling it is most of
+//! the time. `cargo test -p mps-fluid --test suite basins` runs one file. `allocations.rs` beside this folder needs a
+//! program of its own.
+
+mod common;
+
+mod basins;
+mod budget;
+mod collisions;
+mod conservation;
+mod corrected;
+mod determinism;
+mod free_surface;
+mod hydrostatic;
+mod impacts;
+mod leaks;
+mod moving_walls;
+mod parameters;
+mod plates;
+mod resting;
+mod robustness;
+mod shifting;
+mod sliding;
+mod slip;
+mod smoothing;
+mod surface_pressure;
+mod wall_consistency;
+mod walls;
