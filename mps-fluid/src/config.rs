@@ -30,7 +30,7 @@ pub enum Diffusion<T> {
 }
 
 impl<T: Real> Diffusion<T> {
-    /// Coefficient `delta` of the filter, 0 for the others.
+    /// Coefficient `delta` of the filter \[-\], 0 for the others.
     pub fn delta(&self) -> T {
         match *self {
             Self::Filter { delta } => delta,
@@ -51,8 +51,9 @@ impl<T: Real> Diffusion<T> {
 /// How the pressure gradient and the divergence treat an uneven neighbourhood.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PressureForm {
-    /// Plain sums (eqs. 23, 24). A strained arrangement of particles resists shear with a modulus in
-    /// proportion to its pressure, which also keeps the particles even.
+    /// Plain sums (eqs. 23, 24). With a weight that peaks at zero distance, as the paper's, a strained arrangement of
+    /// particles resists shear with a modulus in proportion to its pressure; with
+    /// [`WendlandGradient`](mps_kernel::weights::WendlandGradient) ten times less and better.
     #[default]
     Plain,
     /// Corrected by each particle's moment matrix: no such resistance, one more sweep a step. Flows

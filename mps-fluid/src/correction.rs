@@ -1,6 +1,6 @@
 //! The corrected form of the pressure gradient and of the divergence.
 //!
-//! The plain sums of eqs. 23 and 24 see a strained lattice: the pressure of a particle is multiplied by
+//! With a weight that peaks at zero distance the plain sums of eqs. 23 and 24 see a strained lattice: the pressure of a particle is multiplied by
 //! its moment matrix `M_i = (D/n0) sum_j (n_j/n_i) e_ij e_ij W_ij`, the identity only on the upright
 //! lattice. A pressure `p` then resists shear with a modulus in proportion to `p`, at any resolution: the
 //! fluid is a soft solid. With `C_i`, the inverse of `M_i`, and `S_i = (p_i/n_i) C_i`,
