@@ -110,7 +110,7 @@ where
     fn inner_stress_of(&self, i: usize) -> InnerStress<T, D> {
         let f = self.deformation_of(i);
         let mut history = self.history[i];
-        let stress = self.material.first_piola(&f, &mut history);
+        let stress = self.material.first_piola(&f, &mut history, T::zero());
         InnerStress::new(&stress, &f, &self.correction[i], self.particles.volume[i], self.kappa)
     }
 }

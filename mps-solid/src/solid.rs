@@ -131,10 +131,10 @@ where
         self.start.copy_from_slice(&self.particles.position);
         self.kick_and_drift(parallel, force, gravity, half, step);
         for _ in 1..substeps {
-            self.stress(parallel)?;
+            self.stress(parallel, step)?;
             self.force_kick_and_drift(parallel, force, gravity, step);
         }
-        self.stress(parallel)?;
+        self.stress(parallel, step)?;
         self.forces(parallel);
         self.kick_and_drift(parallel, force, gravity, half, T::zero());
 
@@ -183,7 +183,7 @@ where
     /// # Errors
     /// If a particle is turned inside out or not finite.
     pub fn refresh(&mut self, parallel: &Parallel) -> Result<(), SolidError> {
-        self.stress(parallel)?;
+        self.stress(parallel, T::zero())?;
         self.forces(parallel);
         self.stale = false;
         Ok(())

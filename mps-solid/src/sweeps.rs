@@ -14,8 +14,8 @@ where
     M: ConstitutiveModel<T, D>,
     K: Kernel<T>,
 {
-    /// First sweep: `F_i`, then `A_i`.
-    pub(crate) fn stress(&mut self, parallel: &Parallel) -> Result<(), SolidError> {
+    /// First sweep: `F_i`, then `A_i`, `elapsed` seconds after the last one.
+    pub(crate) fn stress(&mut self, parallel: &Parallel, elapsed: T) -> Result<(), SolidError> {
         let nobody = usize::MAX;
         let first_bad = AtomicUsize::new(nobody);
         let SolidParticles { position, volume, deformation, .. } = &mut self.particles;
@@ -29,7 +29,7 @@ where
                 *deformation = f;
                 // NaN takes the other branch.
                 if determinant(&f) > T::zero() {
-                    let stress = material.first_piola(&f, history);
+                    let stress = material.first_piola(&f, history, elapsed);
                     *inner = InnerStress::new(&stress, &f, &correction[i], volume[i], kappa);
                 } else {
                     first_bad.fetch_min(i, Ordering::Relaxed);

@@ -57,7 +57,7 @@ fn dilation_and_compression_have_their_sign() {
             solid.positions().iter().zip(solid.particles().internal_forces()).map(|(x, f)| x.dot(f)).sum();
         // The virial is -V tr(P F^T): negative in tension.
         assert!(work * (stretch - 1.0) < 0.0);
-        let p = material.first_piola(&(Tensor::<f64, 2>::identity() * stretch), &mut ());
+        let p = material.first_piola(&(Tensor::<f64, 2>::identity() * stretch), &mut (), 0.0);
         let volume: f64 = solid.volumes().iter().sum();
         assert_relative_eq!(work, -volume * p.trace() * stretch, max_relative = 1e-10);
     }

@@ -78,9 +78,9 @@ impl ConstitutiveModel<f64, 2> for Remembering {
         self.0.energy(f, &())
     }
 
-    fn first_piola(&self, f: &Tensor<f64, 2>, largest: &mut f64) -> Tensor<f64, 2> {
+    fn first_piola(&self, f: &Tensor<f64, 2>, largest: &mut f64, elapsed: f64) -> Tensor<f64, 2> {
         *largest = largest.max(f.determinant());
-        self.0.first_piola(f, &mut ())
+        self.0.first_piola(f, &mut (), elapsed)
     }
 
     fn first_lame_modulus(&self) -> f64 {

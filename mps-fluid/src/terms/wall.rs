@@ -25,12 +25,19 @@ impl<T: Real, const D: usize> WallPair<T, D> {
     /// Zhang et al. (eq. 17) drop the difference where it is negative; beside a vertical wall that
     /// adds half of `rho0 g re` that is not there, and for a vibrating structure it rectifies noise.
     ///
+    /// Where pressures below zero become zero, the difference is held between `-p_i` and `p_i`:
+    /// the lower side because the wall does not pull, the upper one because the points of a
+    /// vertical wall above and below a falling particle must stay a balance. With the lower side
+    /// alone a particle without pressure feels the points below it and not those above, and the
+    /// wall carries its weight.
+    ///
     /// The equation of state is linear over the small difference; the error is of fourth order in
     /// the Mach number.
     #[inline(always)]
     pub(crate) fn state(&self, pi: T, ni: T, acceleration: &Vector<T, D>, r_ia: &Vector<T, D>) -> (T, T) {
         let rise = self.rho0 * (self.gravity - acceleration).dot(r_ia);
-        let pa = if self.clip { (pi + rise).max(T::zero()) } else { pi + rise };
+        let rise = if self.clip { rise.max(-pi).min(pi) } else { rise };
+        let pa = pi + rise;
         (pa, ni + (pa - pi) * self.compressibility)
     }
 

@@ -47,7 +47,7 @@ impl<T: Real, const D: usize> ConstitutiveModel<T, D> for CorotationalHooke<T> {
     }
 
     #[inline]
-    fn first_piola(&self, f: &Tensor<T, D>, (): &mut ()) -> Tensor<T, D> {
+    fn first_piola(&self, f: &Tensor<T, D>, (): &mut (), _: T) -> Tensor<T, D> {
         let Some(r) = polar_rotation(f) else { return Tensor::repeat(T::of(f64::NAN)) };
         let Moduli { lambda, mu } = self.moduli;
         let trace = r.dot(f) - T::of(D as f64);

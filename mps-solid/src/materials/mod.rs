@@ -33,7 +33,11 @@ pub trait ConstitutiveModel<T: Real, const D: usize>: Send + Sync {
     fn energy(&self, f: &Tensor<T, D>, history: &Self::History) -> T;
 
     /// First Piola-Kirchhoff stress `P = dw/dF` \[Pa\], `det f > 0`; may update the history.
-    fn first_piola(&self, f: &Tensor<T, D>, history: &mut Self::History) -> Tensor<T, D>;
+    ///
+    /// `elapsed` is the time since the history was last updated \[s\]: the sub-step, or zero when the
+    /// stress of an unchanged state is asked for again. A model with a memory must then neither
+    /// change it nor divide by it.
+    fn first_piola(&self, f: &Tensor<T, D>, history: &mut Self::History, elapsed: T) -> Tensor<T, D>;
 
     /// Lame's first modulus `lambda` of the undeformed material \[Pa\].
     fn first_lame_modulus(&self) -> T;

@@ -44,7 +44,7 @@ impl<T: Real, const D: usize> ConstitutiveModel<T, D> for NeoHookean<T> {
     }
 
     #[inline]
-    fn first_piola(&self, f: &Tensor<T, D>, (): &mut ()) -> Tensor<T, D> {
+    fn first_piola(&self, f: &Tensor<T, D>, (): &mut (), _: T) -> Tensor<T, D> {
         let Moduli { lambda, mu } = self.moduli;
         let j = determinant(f);
         // F^-T = cof F / det F

@@ -43,7 +43,7 @@ impl<T: Real, const D: usize> ConstitutiveModel<T, D> for SaintVenantKirchhoff<T
     }
 
     #[inline]
-    fn first_piola(&self, f: &Tensor<T, D>, (): &mut ()) -> Tensor<T, D> {
+    fn first_piola(&self, f: &Tensor<T, D>, (): &mut (), _: T) -> Tensor<T, D> {
         let Moduli { lambda, mu } = self.moduli;
         let e = green_lagrange(f);
         f * (Tensor::identity() * (lambda * e.trace()) + e * (mu * T::of(2.0)))

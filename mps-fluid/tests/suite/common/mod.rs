@@ -61,12 +61,22 @@ pub fn closed_walls<const D: usize>(counts: [usize; D], l0: f64) -> Vec<Vector<f
     lattice::<f64, D>([-3.0 * l0; D], counts.map(|n| n + 6), l0).into_iter().filter(|p| !inside(p)).collect()
 }
 
-/// A tank of `counts` particles at rest under gravity, with hydrostatic density.
+/// A tank of `counts` particles at rest under gravity, with hydrostatic density and the paper's weight.
 pub fn tank<T: Real, const D: usize, V: Viscosity<T, D>>(
     counts: [usize; D],
     config: FluidConfig<T, D>,
     viscosity: impl FnOnce(&ReferenceDensity<T>) -> V,
 ) -> Fluid<T, D, Rational, V> {
+    tank_of(Rational, counts, config, viscosity)
+}
+
+/// [`tank`] with any weight.
+pub fn tank_of<T: Real, const D: usize, V: Viscosity<T, D>, K: Kernel<T>>(
+    kernel: K,
+    counts: [usize; D],
+    config: FluidConfig<T, D>,
+    viscosity: impl FnOnce(&ReferenceDensity<T>) -> V,
+) -> Fluid<T, D, K, V> {
     let l0 = config.spacing.to_double();
     let points = lattice::<T, D>([0.0; D], counts, l0);
     let mut particles = FluidParticles::at_rest(points);
@@ -79,7 +89,7 @@ pub fn tank<T: Real, const D: usize, V: Viscosity<T, D>>(
     let mut boundary = Boundary::default();
     let height = counts[D - 1] + counts[D - 1] / 2;
     boundary.add_wall(&tank_walls::<T, D>(counts, height, l0), Slip::Free).unwrap();
-    Fluid::new(config, Rational, viscosity, Open, particles, boundary).unwrap()
+    Fluid::new(config, kernel, viscosity, Open, particles, boundary).unwrap()
 }
 
 /// Water of the given spacing under gravity, `c = 10 sqrt(g H)`.
@@ -115,8 +125,8 @@ pub fn blob<const D: usize, V: Viscosity<f64, D>>(
 }
 
 /// Root mean square of `p - hydrostatic`, over the pressure at the bottom.
-pub fn pressure_error<T: Real, const D: usize, V: Viscosity<T, D>>(
-    fluid: &Fluid<T, D, Rational, V>,
+pub fn pressure_error<T: Real, const D: usize, V: Viscosity<T, D>, K: Kernel<T>>(
+    fluid: &Fluid<T, D, K, V>,
     depth: f64,
 ) -> f64 {
     let particles = fluid.particles();
