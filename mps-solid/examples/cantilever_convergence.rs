@@ -47,6 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         radius_ratio: variable("RADIUS", 1.6),
         cfl: variable("CFL", 0.8),
         bending_correction: variable("BENDING", 1.0),
+        ..SolidConfig::default()
     };
     let (moduli, truth) = material(variable("POISSON", TRUTH[0].0))?;
     println!("Wendland C2, {config:?}, {moduli:?}");

@@ -10,6 +10,27 @@ pub struct Body<T: Real, const D: usize> {
     pub particles: SolidParticles<T, D>,
     /// Particle distance along each axis \[m\].
     pub spacing: Vector<T, D>,
+    lower: Vector<T, D>,
+    upper: Vector<T, D>,
+    clamped: Vec<Face>,
+}
+
+impl<T: Real, const D: usize> Body<T, D> {
+    /// Lets the particles on a clamped face slide along it: held along its normal only, unless they lie on
+    /// another clamped face. What a plane of symmetry or a roller does.
+    pub fn slide(&mut self, face: Face) {
+        self.clamped.retain(|other| *other != face);
+        let Self { particles, clamped, lower, upper, .. } = self;
+        let on = |x: &Vector<T, D>, face: Face| {
+            x[face.axis] == if face.upper { upper[face.axis] } else { lower[face.axis] }
+        };
+        for i in 0..particles.reference.len() {
+            let x = particles.reference[i];
+            if on(&x, face) && !clamped.iter().any(|&other| on(&x, other)) {
+                (0..D).filter(|&axis| axis != face.axis).for_each(|axis| particles.hold(i, axis, false));
+            }
+        }
+    }
 }
 
 /// One of the `2 D` faces of a block.
@@ -85,11 +106,12 @@ pub fn block<T: Real, const D: usize>(
             if at_clamp {
                 volume *= half;
                 on_clamp = true;
+                place[axis] = if k == 0 { lower[axis] } else { upper[axis] };
             }
         }
         particles.push(place, volume, on_clamp);
     }
-    Ok(Body { particles, spacing })
+    Ok(Body { particles, spacing, lower, upper, clamped: clamp.to_vec() })
 }
 
 /// The numbers of particles that bring the spacing of every axis closest to `spacing` \[m\], for

@@ -23,11 +23,17 @@ pub struct SolidConfig<T> {
     /// Default 1, the value that follows from the lattice, the weight and the material. It is not a
     /// tuning parameter: 0 switches the correction off, for studies; zero-energy modes then appear.
     pub bending_correction: T,
+    /// Damping `c` of every velocity, `du/dt = ... - c u` \[1/s\].
+    ///
+    /// Default 0: the energy is kept. For static answers prefer [`Solid::relax`](crate::Solid::relax),
+    /// which finds it by itself; for a physical damping of the material write it into a
+    /// [`ConstitutiveModel`](crate::ConstitutiveModel).
+    pub damping: T,
 }
 
 impl<T: Real> Default for SolidConfig<T> {
     fn default() -> Self {
-        Self { radius_ratio: T::of(1.6), cfl: T::of(0.8), bending_correction: T::one() }
+        Self { radius_ratio: T::of(1.6), cfl: T::of(0.8), bending_correction: T::one(), damping: T::zero() }
     }
 }
 
@@ -48,7 +54,8 @@ impl<T: Real> SolidConfig<T> {
         };
         check("radius_ratio", "between 1.2 and 6 spacings (usual: 1.6)", self.radius_ratio, 1.2, 6.0)?;
         check("cfl", "positive and at most 1 (usual: 0.8)", self.cfl, f64::MIN_POSITIVE, 1.0)?;
-        check("bending_correction", "between 0 and 100 (usual: 1)", self.bending_correction, 0.0, 100.0)
+        check("bending_correction", "between 0 and 100 (usual: 1)", self.bending_correction, 0.0, 100.0)?;
+        check("damping", "zero or positive and finite, in 1/s", self.damping, 0.0, f64::MAX)
     }
 }
 
@@ -66,6 +73,8 @@ mod tests {
             SolidConfig { cfl: 0.0, ..good },
             SolidConfig { cfl: f64::NAN, ..good },
             SolidConfig { bending_correction: -1.0, ..good },
+            SolidConfig { damping: -1.0, ..good },
+            SolidConfig { damping: f64::INFINITY, ..good },
         ] {
             assert!(matches!(bad.validate(), Err(SolidError::Parameter { .. })), "{bad:?}");
         }

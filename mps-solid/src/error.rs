@@ -64,6 +64,12 @@ pub enum SolidError {
         /// Number of particles.
         particles: usize,
     },
+    /// A support cannot be moved like this.
+    #[error("the motion of a support {problem}")]
+    Motion {
+        /// What is wrong, and what to do.
+        problem: &'static str,
+    },
     /// A particle was turned inside out.
     #[error(
         "particle {id} at {position:?} is turned inside out (det F = {determinant}): halve the sub-step (SolidConfig::cfl); if that does not help the load is too large for this resolution or the material too soft under compression (try NeoHookean)"

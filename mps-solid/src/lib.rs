@@ -44,6 +44,7 @@ pub mod momentum;
 mod particles;
 mod solid;
 pub mod stabilization;
+pub mod supports;
 mod sweeps;
 mod time_step;
 mod view;

@@ -15,7 +15,10 @@ pub struct SolidParticles<T: Real, const D: usize> {
     pub(crate) mass: Vec<T>,
     pub(crate) deformation: Vec<Tensor<T, D>>,
     pub(crate) force: Vec<Vector<T, D>>,
-    pub(crate) clamped: Vec<u8>,
+    /// One bit an axis: that axis is held.
+    pub(crate) held: Vec<u8>,
+    /// Number of the motion that moves the held axes, 0 for none.
+    pub(crate) group: Vec<u8>,
     pub(crate) id: Vec<u32>,
 }
 
@@ -26,7 +29,7 @@ impl<T: Real, const D: usize> SolidParticles<T, D> {
     }
 
     /// Adds a particle at rest at `reference` \[m\] that stands for `volume` \[m^D\] of the undeformed
-    /// body. A `clamped` one never moves. Its identity is the number of particles before it.
+    /// body. A `clamped` one is held along every axis, see [`supports`](crate::supports). Its identity is the number of particles before it.
     pub fn push(&mut self, reference: Vector<T, D>, volume: T, clamped: bool) {
         self.id.push(self.id.len() as u32);
         self.reference.push(reference);
@@ -36,7 +39,8 @@ impl<T: Real, const D: usize> SolidParticles<T, D> {
         self.mass.push(T::zero());
         self.deformation.push(Tensor::identity());
         self.force.push(Vector::zeros());
-        self.clamped.push(u8::from(clamped));
+        self.held.push(if clamped { (1 << D) - 1 } else { 0 });
+        self.group.push(0);
     }
 
     /// Positions in the undeformed body \[m\].
@@ -75,9 +79,29 @@ impl<T: Real, const D: usize> SolidParticles<T, D> {
         &self.force
     }
 
-    /// Whether particle `i` never moves.
+    /// Holds particle `i` along `axis`, or lets it go.
+    pub fn hold(&mut self, i: usize, axis: usize, held: bool) {
+        let bit = 1 << axis;
+        self.held[i] = if held { self.held[i] | bit } else { self.held[i] & !bit };
+    }
+
+    /// Whether particle `i` is held along every axis.
     pub fn is_clamped(&self, i: usize) -> bool {
-        self.clamped[i] != 0
+        (0..D).all(|axis| self.is_held(i, axis))
+    }
+
+    /// Whether particle `i` is held along `axis`.
+    pub fn is_held(&self, i: usize, axis: usize) -> bool {
+        self.held[i] & (1 << axis) != 0
+    }
+
+    /// `vector` without its components along the held axes of particle `i`.
+    #[inline]
+    pub(crate) fn only_free(&self, i: usize, vector: Vector<T, D>) -> Vector<T, D> {
+        if self.held[i] == 0 {
+            return vector;
+        }
+        Vector::from_fn(|axis, _| if self.is_held(i, axis) { T::zero() } else { vector[axis] })
     }
 
     /// Identities: unique, unchanged for the life of the particle.
@@ -99,7 +123,8 @@ impl<T: Real, const D: usize> ParticleStore for SolidParticles<T, D> {
         visitor.visit("mass", &mut self.mass);
         visitor.visit("deformation", &mut self.deformation);
         visitor.visit("internal_force", &mut self.force);
-        visitor.visit("clamped", &mut self.clamped);
+        visitor.visit("held", &mut self.held);
+        visitor.visit("support", &mut self.group);
         visitor.visit("id", &mut self.id);
     }
 }

@@ -3,6 +3,7 @@
 use crate::kinematics::{corrections, deformation_gradient};
 use crate::momentum::InnerStress;
 use crate::stabilization::bending_coefficient;
+use crate::supports::{Motion, Placement};
 use crate::{ConstitutiveModel, SolidConfig, SolidError, SolidParticles};
 use mps_kernel::weights::WendlandC2;
 use mps_kernel::{Kernel, ParticleStore, Real, Tensor, Vector};
@@ -29,6 +30,9 @@ where
     pub(crate) wave_speed: T,
     pub(crate) stability_limit: T,
     pub(crate) mean_velocity: Vec<Vector<T, D>>,
+    pub(crate) time: T,
+    pub(crate) motions: Vec<Motion<T, D>>,
+    pub(crate) placements: Vec<Placement<T, D>>,
     /// Forces and deformations do not belong to the positions (someone has written to the store).
     pub(crate) stale: bool,
     // Working space of a step.
@@ -86,6 +90,9 @@ where
             wave_speed: material.wave_speed(density),
             stability_limit: T::zero(),
             mean_velocity: vec![Vector::zeros(); len],
+            time: T::zero(),
+            motions: Vec::new(),
+            placements: Vec::new(),
             inner: vec![no_stress; len],
             start: particles.position.clone(),
             next: particles.position.clone(),
@@ -128,10 +135,17 @@ where
         }
         let step = dt / T::of(substeps as f64);
         let half = step * T::of(0.5);
+        let begin = self.time;
+        let go = |solid: &mut Self, substep: usize| {
+            solid.time = begin + step * T::of(substep as f64);
+            solid.place_supports(solid.time);
+        };
         self.start.copy_from_slice(&self.particles.position);
+        go(self, 1);
         self.kick_and_drift(parallel, force, gravity, half, step);
-        for _ in 1..substeps {
+        for substep in 1..substeps {
             self.stress(parallel, step)?;
+            go(self, substep + 1);
             self.force_kick_and_drift(parallel, force, gravity, step);
         }
         self.stress(parallel, step)?;
@@ -153,13 +167,12 @@ where
     /// If `dt` or the length of `force` is unusable.
     pub fn kick(&mut self, parallel: &Parallel, force: &[Vector<T, D>], dt: T) -> Result<(), SolidError> {
         self.check_step(force, dt, 1)?;
-        let SolidParticles { velocity, mass, clamped, .. } = &mut self.particles;
-        let (mass, clamped) = (&*mass, &*clamped);
+        let mut velocity = core::mem::take(&mut self.particles.velocity);
+        let particles = &self.particles;
         parallel.update(velocity.as_mut_slice(), |i, u| {
-            if clamped[i] == 0 {
-                *u += force[i] * (dt / mass[i]);
-            }
+            *u += particles.only_free(i, force[i] * (dt / particles.mass[i]));
         });
+        self.particles.velocity = velocity;
         Ok(())
     }
 

@@ -2,6 +2,7 @@
 
 use crate::kinematics::deformation_gradient;
 use crate::momentum::{InnerStress, internal_force};
+use crate::supports::Held;
 use crate::{ConstitutiveModel, Solid, SolidError, SolidParticles};
 use core::sync::atomic::{AtomicUsize, Ordering};
 use mps_kernel::tensor::determinant;
@@ -63,7 +64,8 @@ where
         });
     }
 
-    /// `u += kick a`, then `x += drift u`, with the stored internal forces.
+    /// `u += kick a`, then `x += drift u`, with the stored internal forces. Supports go to where they are
+    /// placed.
     pub(crate) fn kick_and_drift(
         &mut self,
         parallel: &Parallel,
@@ -72,15 +74,16 @@ where
         kick: T,
         drift: T,
     ) {
-        let SolidParticles { position, velocity, force, mass, clamped, .. } = &mut self.particles;
-        let (force, mass, clamped) = (&*force, &*mass, &*clamped);
+        let damped = self.damped(kick);
+        let SolidParticles { reference, position, velocity, force, mass, held, group, .. } =
+            &mut self.particles;
+        let (force, mass) = (&*force, &*mass);
+        let supports = Held { reference, axes: held, group, placements: &self.placements };
         parallel.update((position.as_mut_slice(), velocity.as_mut_slice()), |i, (x, u)| {
-            if clamped[i] == 0 {
-                *u += ((force[i] + external[i]) / mass[i] + gravity) * kick;
-                *x += *u * drift;
-            } else {
-                *u = Vector::zeros();
-            }
+            *u = (*u + ((force[i] + external[i]) / mass[i] + gravity) * kick) * damped;
+            let there = *x + *u * drift;
+            (*x, *u) =
+                if supports.axes[i] == 0 { (there, *u) } else { supports.hold(i, x, (there, *u), drift) };
         });
     }
 
@@ -93,18 +96,24 @@ where
         gravity: &Vector<T, D>,
         step: T,
     ) {
-        let SolidParticles { position, velocity, mass, clamped, .. } = &mut self.particles;
-        let (mass, clamped, pairs, inner) = (&*mass, &*clamped, &self.pairs, &self.inner);
+        let damped = self.damped(step);
+        let SolidParticles { reference, position, velocity, mass, held, group, .. } = &mut self.particles;
+        let (mass, pairs, inner) = (&*mass, &self.pairs, &self.inner);
+        let supports = Held { reference, axes: held, group, placements: &self.placements };
         let here = &*position;
         parallel.update((velocity.as_mut_slice(), self.next.as_mut_slice()), |i, (u, next)| {
-            if clamped[i] == 0 {
-                let force = internal_force(pairs.row(i), i, here, inner);
-                *u += ((force + external[i]) / mass[i] + gravity) * step;
-                *next = here[i] + *u * step;
-            } else {
-                *next = here[i];
+            let force = internal_force(pairs.row(i), i, here, inner);
+            *u = (*u + ((force + external[i]) / mass[i] + gravity) * step) * damped;
+            *next = here[i] + *u * step;
+            if supports.axes[i] != 0 {
+                (*next, *u) = supports.hold(i, &here[i], (*next, *u), step);
             }
         });
         core::mem::swap(position, &mut self.next);
+    }
+
+    /// What damping leaves of a velocity after `step` seconds.
+    fn damped(&self, step: T) -> T {
+        (-self.config.damping * step).exp()
     }
 }

@@ -55,8 +55,8 @@ where
 
             // Rayleigh quotient and next vector of M^-1 K, with the mass as the inner product.
             let (mut potential, mut inertia) = (T::zero(), T::zero());
-            for i in (0..trial.len()).filter(|&i| self.particles.clamped[i] == 0) {
-                let pull = (backward[i] - forward[i]) * T::of(0.5);
+            for i in 0..trial.len() {
+                let pull = self.particles.only_free(i, (backward[i] - forward[i]) * T::of(0.5));
                 potential += pull.dot(&trial[i]);
                 inertia += trial[i].norm_squared() * self.particles.mass[i];
                 trial[i] = pull / self.particles.mass[i];
@@ -96,10 +96,7 @@ where
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             T::of((state >> 40) as f64 / (1_u64 << 24) as f64 - 0.5)
         };
-        let clamped = &self.particles.clamped;
-        clamped
-            .iter()
-            .map(|&fixed| if fixed == 0 { Vector::from_fn(|_, _| next()) } else { Vector::zeros() })
-            .collect()
+        let mut on = |i| self.particles.only_free(i, Vector::from_fn(|_, _| next()));
+        (0..self.len()).map(&mut on).collect()
     }
 }

@@ -36,6 +36,11 @@ where
         &mut self.particles.position
     }
 
+    /// Time moved through so far \[s\].
+    pub fn time(&self) -> T {
+        self.time
+    }
+
     /// Displacement over the last [`advance`](Self::advance) divided by its `dt` \[m/s\].
     pub fn mean_velocities(&self) -> &[Vector<T, D>] {
         &self.mean_velocity
