@@ -1,6 +1,6 @@
 //! Bodies made of particles on a lattice.
 
-use crate::{SolidError, SolidParticles};
+use crate::{MaterialPoint, SolidError, SolidParticles, Surface};
 use mps_kernel::{Real, Vector};
 
 /// Particles and the distance between them along each axis.
@@ -12,14 +12,47 @@ pub struct Body<T: Real, const D: usize> {
     pub spacing: Vector<T, D>,
     lower: Vector<T, D>,
     upper: Vector<T, D>,
+    counts: [usize; D],
+    /// Distance in the list of two particles next to each other along each axis.
+    strides: [usize; D],
     clamped: Vec<Face>,
+    sliding: Vec<Face>,
 }
 
 impl<T: Real, const D: usize> Body<T, D> {
+    /// A free face as a surface to put loads on: a point in the middle of the outer side of every particle along
+    /// it. Loads are spread over the outer two rows as the linear continuation of a field from them says (3/2 and
+    /// -1/2): what meets a uniform stress exactly everywhere but at edges, where it is off for the last two rows.
+    ///
+    /// # Errors
+    /// If the face is clamped.
+    pub fn face(&self, face: Face) -> Result<Surface<T, D>, SolidError> {
+        if self.clamped.contains(&face) || self.sliding.contains(&face) {
+            return Err(SolidError::ClampedFace { axis: face.axis, upper: face.upper });
+        }
+        let axis = face.axis;
+        let (end, out) =
+            if face.upper { (self.upper[axis], T::one()) } else { (self.lower[axis], -T::one()) };
+        let stride = self.strides[axis];
+        let row = if face.upper { self.counts[axis] - 1 } else { 0 };
+        let on_face = |&i: &usize| i / stride % self.counts[axis] == row;
+        let point = |i: usize| {
+            let inner = if face.upper { i - stride } else { i + stride };
+            let mut place = self.particles.reference[i];
+            place[axis] = end;
+            let mut area = Vector::zeros();
+            area[axis] = out * self.particles.volume[i] / self.spacing[axis];
+            let weights = vec![(i as u32, T::of(1.5)), (inner as u32, T::of(-0.5))];
+            (MaterialPoint::new(place, weights), area)
+        };
+        Ok(Surface::new((0..self.particles.reference.len()).filter(on_face).map(point).collect()))
+    }
+
     /// Lets the particles on a clamped face slide along it: held along its normal only, unless they lie on
     /// another clamped face. What a plane of symmetry or a roller does.
     pub fn slide(&mut self, face: Face) {
         self.clamped.retain(|other| *other != face);
+        self.sliding.push(face);
         let Self { particles, clamped, lower, upper, .. } = self;
         let on = |x: &Vector<T, D>, face: Face| {
             x[face.axis] == if face.upper { upper[face.axis] } else { lower[face.axis] }
@@ -90,6 +123,9 @@ pub fn block<T: Real, const D: usize>(
     let mut fastest_first: Vec<usize> = (0..D).collect();
     fastest_first.sort_by_key(|&axis| counts[axis]);
 
+    let mut strides = [1; D];
+    fastest_first.windows(2).for_each(|pair| strides[pair[1]] = strides[pair[0]] * counts[pair[0]]);
+
     let mut particles = SolidParticles::new();
     for index in 0..counts.iter().product() {
         let mut rest = index;
@@ -111,7 +147,16 @@ pub fn block<T: Real, const D: usize>(
         }
         particles.push(place, volume, on_clamp);
     }
-    Ok(Body { particles, spacing, lower, upper, clamped: clamp.to_vec() })
+    Ok(Body {
+        particles,
+        spacing,
+        lower,
+        upper,
+        counts,
+        strides,
+        clamped: clamp.to_vec(),
+        sliding: Vec::new(),
+    })
 }
 
 /// The numbers of particles that bring the spacing of every axis closest to `spacing` \[m\], for

@@ -64,6 +64,34 @@ pub enum SolidError {
         /// Number of particles.
         particles: usize,
     },
+    /// A load was asked for on a face that is clamped.
+    #[error("the face at the {} end of axis {axis} is clamped: a load there would go straight into the support", if *upper { "upper" } else { "lower" })]
+    ClampedFace {
+        /// Axis the face is normal to.
+        axis: usize,
+        /// Whether it is at the upper end.
+        upper: bool,
+    },
+    /// A point of the drawing has too few particles around it.
+    #[error(
+        "the point {point:?} has too few particles around it: it must lie in the undeformed body or at most a spacing outside"
+    )]
+    Outside {
+        /// The point \[m\].
+        point: Vec<f64>,
+    },
+    /// A static answer was not reached.
+    #[error(
+        "not at rest after {steps} steps: the forces still miss each other by {residual:e} of the load, {tolerance:e} was asked for; allow more steps, or look whether the body is supported against every rigid motion"
+    )]
+    NotSettled {
+        /// Steps taken.
+        steps: usize,
+        /// What is left of the forces, over the load.
+        residual: f64,
+        /// What was asked for.
+        tolerance: f64,
+    },
     /// A support cannot be moved like this.
     #[error("the motion of a support {problem}")]
     Motion {
