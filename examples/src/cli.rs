@@ -74,6 +74,20 @@ impl Refused {
 }
 
 impl Common {
+    /// Refuses numbers of threads that no machine has.
+    ///
+    /// # Errors
+    /// If none or too many were asked for.
+    pub fn check(&self) -> Result<(), Refused> {
+        let threads = self.threads.unwrap_or(1);
+        Refused::unless(
+            (1..=1024).contains(&threads),
+            "--threads",
+            threads,
+            "give at least 1 and at most 1024, or leave it out to use all cores",
+        )
+    }
+
     /// The threads asked for.
     ///
     /// # Errors

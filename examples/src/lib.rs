@@ -1,11 +1,18 @@
-//! Shared parts of the example programs: the flags they have in common, how a run is refused, when
-//! something is due in a time loop, and the closing words.
+//! Shared parts of the example programs: the flags they have in common, how a run is refused, the time loop and when
+//! something is due in it, what is read off a series, and the closing words. The bodies that several programs
+//! move are in [`solid`].
 
 mod cli;
+mod conclusion;
+mod recording;
 mod schedule;
+pub mod series;
+pub mod solid;
 mod words;
 
 pub use cli::{Common, Precision, Refused};
+pub use conclusion::{Cost, conclude, enter_results, exit_code};
+pub use recording::{Recorded, record};
 pub use schedule::{Due, Moments};
 pub use words::{closing_words, report_failure};
 

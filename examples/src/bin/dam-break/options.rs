@@ -154,13 +154,7 @@ impl Options {
             self.shifting,
             "each part costs a sweep over all particles; give at most 100, usual is 5",
         )?;
-        let threads = self.common.threads.unwrap_or(1);
-        Refused::unless(
-            (1..=1024).contains(&threads),
-            "--threads",
-            threads,
-            "give at least 1 and at most 1024, or leave it out to use all cores",
-        )?;
+        self.common.check()?;
         Ok(Settings {
             spacing: l0,
             radius: self.radius(),

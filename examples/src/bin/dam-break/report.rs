@@ -6,7 +6,7 @@ use crate::options::Options;
 use crate::reference::{FRONT, LARGE_SENSOR, SENSORS, SOURCE};
 use crate::sensors::HEIGHTS;
 use crate::setup::{DamBreak, HEIGHT, LENGTH, OPENING_TIME, Release, Settings, TANK, TIME, sound_speed};
-use mps_examples::Failure;
+use mps_examples::{Cost, Failure, enter_results};
 use mps_io::{CurvePlot, Metric, Summary};
 use mps_kernel::{Kernel, Real};
 use std::path::Path;
@@ -51,8 +51,7 @@ pub(crate) fn summary<T: Real, K: Kernel<T>>(
     settings: &Settings,
     dam: &DamBreak<T, K>,
     observer: &Observer,
-    threads: usize,
-    stepping_seconds: f64,
+    cost: &Cost,
     failure: Option<&Failure>,
 ) -> Summary {
     let mut summary = Summary::new("dam-break", env!("CARGO_PKG_VERSION"));
@@ -75,27 +74,10 @@ pub(crate) fn summary<T: Real, K: Kernel<T>>(
     summary.set("pressure_form", if options.corrected { "corrected" } else { "plain" });
     summary.set("weight", fluid.kernel().name());
     summary.set("radius_ratio", fluid.config().radius_ratio.to_double());
-    summary.threads = threads;
-    summary.precision = options.common.precision.name().to_owned();
-
-    let particles = fluid.particles().position.len();
-    summary.particles.insert("fluid".into(), particles as u64);
+    summary.particles.insert("fluid".into(), cost.particles as u64);
     summary.particles.insert("wall".into(), fluid.boundary().len() as u64);
-    summary.measure(fluid.steps(), stepping_seconds, fluid.time().to_double());
-    summary.particle_steps_per_second = particles as f64 * fluid.steps() as f64 / stepping_seconds;
-    if let Some(failure) = failure {
-        summary.status = failure.to_string();
-    }
-    let (wall, speed) = (summary.wall_seconds_per_simulated_second, summary.particle_steps_per_second);
-    let mut results = results(settings, observer);
-    results.push(("wall_seconds_per_simulated_second".into(), Some(Metric::new(wall, "-"))));
-    results.push(("particle_steps_per_second".into(), Some(Metric::new(speed, "1/s"))));
-    for (name, metric) in results {
-        match metric {
-            Some(metric) => drop(summary.metrics.insert(name, metric)),
-            None => summary.notes.push(format!("{name}: the run ended before")),
-        }
-    }
+    cost.enter(&mut summary, &options.common, failure);
+    enter_results(&mut summary, results(settings, observer));
     summary
 }
 

@@ -164,13 +164,7 @@ impl Options {
             across,
             "the gate alone would need more than half a million particles; give at most 200",
         )?;
-        let threads = self.common.threads.unwrap_or(1);
-        Refused::unless(
-            (1..=1024).contains(&threads),
-            "--threads",
-            threads,
-            "give at least 1 and at most 1024, or leave it out to use all cores",
-        )?;
+        self.common.check()?;
         Ok(Settings {
             spacing: l0,
             across,

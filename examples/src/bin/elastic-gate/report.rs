@@ -5,7 +5,7 @@ use crate::observe::Observer;
 use crate::options::Options;
 use crate::reference::EXPERIMENT;
 use crate::setup::{FreeEnd, GateScene, Settings, sound_speed};
-use mps_examples::Failure;
+use mps_examples::{Cost, Failure};
 use mps_io::{CurvePlot, Metric, Summary};
 use mps_kernel::Real;
 use std::path::Path;
@@ -57,8 +57,7 @@ pub(crate) fn summary<T: Real>(
     settings: &Settings,
     scene: &GateScene<T>,
     observer: &Observer<T>,
-    threads: usize,
-    stepping_seconds: f64,
+    cost: &Cost,
     failure: Option<&Failure>,
 ) -> Summary {
     let mut summary = Summary::new("elastic-gate", env!("CARGO_PKG_VERSION"));
@@ -76,20 +75,11 @@ pub(crate) fn summary<T: Real>(
     summary.set("pressure_form", if options.corrected { "corrected" } else { "plain" });
     summary.set("density_diffusion", scene.fluid().config().diffusion.delta().to_double());
     summary.set("radius_ratio", scene.fluid().config().radius_ratio.to_double());
-    summary.threads = threads;
-    summary.precision = options.common.precision.name().to_owned();
-
-    let fluid = scene.fluid();
-    let particles = fluid.particles().position.len();
-    let boundary = fluid.boundary();
-    summary.particles.insert("fluid".into(), particles as u64);
+    let boundary = scene.fluid().boundary();
+    summary.particles.insert("fluid".into(), cost.particles as u64);
     summary.particles.insert("wall".into(), boundary.reactive().start as u64);
     summary.particles.insert("structure".into(), boundary.reactive().len() as u64);
-    summary.measure(fluid.steps(), stepping_seconds, fluid.time().to_double());
-    summary.particle_steps_per_second = particles as f64 * fluid.steps() as f64 / stepping_seconds;
-    if let Some(failure) = failure {
-        summary.status = failure.to_string();
-    }
+    cost.enter(&mut summary, &options.common, failure);
 
     let published = options.material.published();
     let largest = |d: &dyn Fn(&FreeEnd) -> f64| {
@@ -116,15 +106,10 @@ pub(crate) fn summary<T: Real>(
         Metric::new(observer.energy_rise, "-").compared_with(0.0, "total energy never rises"),
     );
     put("energy_dissipated", Metric::new(observer.dissipated(), "-"));
-    let wall = summary.wall_seconds_per_simulated_second;
-    let speed = summary.particle_steps_per_second;
-    let memory = summary.peak_memory_bytes;
-    let mut put = |name: &str, metric: Metric| summary.metrics.insert(name.to_owned(), metric);
-    put("wall_seconds_per_simulated_second", Metric::new(wall, "-"));
-    put("particle_steps_per_second", Metric::new(speed, "1/s"));
-    if let Some(bytes) = memory {
-        let all = particles + boundary.len();
-        put("peak_memory_per_particle", Metric::new(bytes as f64 / all as f64, "B"));
+    if let Some(bytes) = summary.peak_memory_bytes {
+        let all = cost.particles + boundary.len();
+        let share = Metric::new(bytes as f64 / all as f64, "B");
+        summary.metrics.insert("peak_memory_per_particle".to_owned(), share);
     }
     summary
 }

@@ -3,11 +3,12 @@
 mod case;
 mod fluid;
 mod options;
+mod solid;
 mod table;
 
 use case::{Case, Curve, Outcome, Pace};
 use clap::Parser;
-use mps_examples::Failure;
+use mps_examples::{Failure, exit_code};
 use options::{Options, Part, Run};
 use std::path::Path;
 use std::process::ExitCode;
@@ -15,18 +16,7 @@ use std::time::Instant;
 use table::Table;
 
 fn main() -> ExitCode {
-    match run(&Options::parse().part) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            report_failure(&failure);
-            ExitCode::FAILURE
-        }
-    }
-}
-
-#[allow(clippy::print_stderr, reason = "a program talks to its user")]
-fn report_failure(failure: &Failure) {
-    eprintln!("error: {failure}");
+    exit_code(run(&Options::parse().part))
 }
 
 #[allow(clippy::print_stderr, reason = "a program talks to its user")]
@@ -40,6 +30,7 @@ fn run(part: &Part) -> Result<(), Failure> {
     let options = part.run();
     let cases = match part {
         Part::Fluid(_) => fluid::cases(),
+        Part::Solid(_) => solid::cases(),
     };
     options.check(&cases.iter().map(|case| case.name()).collect::<Vec<_>>())?;
     mps_io::prepare_output(&options.out)?;

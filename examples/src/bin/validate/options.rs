@@ -15,11 +15,13 @@ pub(crate) struct Options {
     pub(crate) part: Part,
 }
 
-/// What is validated. The solid and the coupling have a place here beside the fluid.
+/// What is validated. The coupling has a place here beside the fluid and the solid.
 #[derive(Subcommand, Clone, Debug)]
 pub(crate) enum Part {
     /// The fluid alone: tanks, channels, waves, drops
     Fluid(Run),
+    /// The solid alone: rotations, patches, waves, beams
+    Solid(Run),
 }
 
 /// How a part is run.
@@ -50,12 +52,13 @@ impl Part {
     pub(crate) fn name(&self) -> &'static str {
         match self {
             Self::Fluid(_) => "fluid",
+            Self::Solid(_) => "solid",
         }
     }
 
     pub(crate) fn run(&self) -> &Run {
         match self {
-            Self::Fluid(run) => run,
+            Self::Fluid(run) | Self::Solid(run) => run,
         }
     }
 }

@@ -1,9 +1,10 @@
 //! A drop in a central field that swings between a disc and ellipses.
 
-use super::measures::{angular_momentum, angular_size, zeros};
+use super::measures::{angular_momentum, angular_size};
 use super::scene::{RHO, Water, advance_in_central_field, lattice, press, water};
 use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
 use mps_examples::Failure;
+use mps_examples::series::zeros;
 use mps_fluid::{Boundary, Fluid, FluidParticles};
 use mps_io::CurvePlot;
 use mps_kernel::Vector;

@@ -1,10 +1,10 @@
 //! A standing gravity wave: period and viscous decay.
 
-use super::measures::{decay_rate, peaks_between, zeros};
 use super::scene::{GRAVITY, Water, advance, heavy_water, tank};
 use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
 use core::f64::consts::PI;
 use mps_examples::Failure;
+use mps_examples::series::{decay_rate, peaks_between, zeros};
 use mps_fluid::ArtificialViscosity;
 use mps_io::CurvePlot;
 use mps_kernel::Vector;

@@ -1,10 +1,11 @@
 //! The decaying vortices of Taylor and Green.
 
-use super::measures::{decay_rate, rms};
+use super::measures::rms;
 use super::scene::{InnerWater, RHO, advance, inner_water, lattice, press};
 use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
 use core::f64::consts::PI;
 use mps_examples::Failure;
+use mps_examples::series::decay_rate;
 use mps_fluid::{Boundary, Fluid, FluidParticles, LaminarViscosity, Shifting};
 use mps_io::CurvePlot;
 use mps_kernel::Vector;

@@ -1,0 +1,72 @@
+//! CSM3: the flag is let go and swings for ever.
+
+use crate::options::Options;
+use crate::{Settings, look, plots};
+use mps_examples::series::{Oscillation, oscillation};
+use mps_examples::solid::flag::{CSM3, SOURCE, end, flag, gravity};
+use mps_examples::solid::{Motion, Pictures, Sample};
+use mps_examples::{Cost, Failure, Recorded, conclude, enter_results, record};
+use mps_io::{Metric, Summary};
+use mps_kernel::Real;
+use std::path::Path;
+
+/// Rows of probes.csv in a period of the reference.
+const SAMPLES: f64 = 400.0;
+
+pub(crate) fn run<T: Real>(options: &Options, settings: &Settings, dir: &Path) -> Result<(), Failure> {
+    let parallel = options.common.parallel()?;
+    let flag = flag::<T>(settings.across, settings.clamp, &parallel)?;
+    let period = 1.0 / CSM3[1][2];
+    let mut look = look(options.test, settings);
+    (look.frame, look.stills) = (period / 20.0, vec![("lowest", 0.5 * period), ("highest", period)]);
+    let pictures = if options.common.no_fields { None } else { Some(Pictures::new(dir, look)?) };
+    let mut motion = Motion::new(flag, end(), gravity(), period / SAMPLES, &parallel)?
+        .with_table(dir)?
+        .with_pictures(pictures);
+    let (until, quiet, mut seconds) = (settings.end_time, options.common.quiet, 0.0);
+    // Inside the pool the loops of a step need no hand-over between threads.
+    let done = parallel.install(|| record(&mut motion, until, quiet, &mut seconds));
+
+    // Whatever happened, what has been computed is kept.
+    plots::motion(dir, settings, motion.samples())?;
+    let mut summary = options.summary(settings, motion.solid());
+    summary.set("end_time_s", settings.end_time);
+    summary.set("substep_s", motion.substep());
+    let cost = Cost {
+        threads: parallel.threads(),
+        steps: motion.steps(),
+        seconds,
+        simulated: motion.time(),
+        particles: motion.solid().len(),
+    };
+    cost.enter(&mut summary, &options.common, done.as_ref().err());
+    enter(&mut summary, motion.samples());
+    conclude(dir, &summary, &options.common, done.is_ok())?;
+    done
+}
+
+/// Mean, amplitude and frequency of both components, and what became of the energy.
+fn enter(summary: &mut Summary, samples: &[Sample]) {
+    let time: Vec<f64> = samples.iter().map(|s| s.time).collect();
+    for (axis, name) in ["ux", "uy"].into_iter().enumerate() {
+        let tip: Vec<f64> = samples.iter().map(|s| s.tip[axis]).collect();
+        let found = oscillation(&time, &tip);
+        let number = |unit: &str, k: usize, value: fn(&Oscillation) -> f64| {
+            found.as_ref().map(|found| Metric::new(value(found), unit).compared_with(CSM3[axis][k], SOURCE))
+        };
+        enter_results(
+            summary,
+            [
+                (format!("{name}_mean"), number("m", 0, |o| o.mean)),
+                (format!("{name}_amplitude"), number("m", 1, |o| o.amplitude)),
+                (format!("{name}_frequency"), number("Hz", 2, |o| 1.0 / o.period)),
+            ],
+        );
+    }
+    // The energy is zero at the start; what moves is what gravity gives on the way down.
+    let given = samples.iter().map(|s| -s.energy.potential).fold(0.0, f64::max);
+    let start = samples.first().map_or(0.0, |s| s.energy.total());
+    let drift = samples.iter().map(|s| (s.energy.total() - start).abs()).fold(0.0, f64::max) / given;
+    let kept = Metric::new(drift, "-").compared_with(0.0, "the energy is kept");
+    enter_results(summary, [("energy_drift".to_owned(), drift.is_finite().then_some(kept))]);
+}

@@ -1,0 +1,82 @@
+//! The time loop that every program has.
+
+use crate::Failure;
+use mps_io::Progress;
+use std::fmt;
+use std::time::Instant;
+
+/// A simulation with everything that watches it.
+pub trait Recorded {
+    /// Simulated time \[s\].
+    fn time(&self) -> f64;
+
+    /// Steps so far.
+    fn steps(&self) -> u64;
+
+    /// Looks at the present state and writes what is due. `dt` \[s\] is the step that led here; `last` at the end of
+    /// the run.
+    ///
+    /// # Errors
+    /// If something cannot be measured or written.
+    fn look(&mut self, dt: f64, last: bool) -> Result<(), Failure>;
+
+    /// One step; returns its length \[s\].
+    ///
+    /// # Errors
+    /// If the simulation breaks off.
+    fn step(&mut self) -> Result<f64, Failure>;
+
+    /// Keeps the state after a step that failed, for whoever looks for the reason.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    fn keep_wreck(&mut self) -> Result<(), Failure>;
+
+    /// What is shown beside the time left; nothing by default.
+    ///
+    /// # Errors
+    /// Those of the formatter.
+    fn remark(&self, _: &mut fmt::Formatter) -> fmt::Result {
+        Ok(())
+    }
+}
+
+/// Formats the remark only when it is shown.
+struct Remark<'a, R>(&'a R);
+
+impl<R: Recorded> fmt::Display for Remark<'_, R> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        self.0.remark(f)
+    }
+}
+
+/// Steps until `end` \[s\], in whole steps, and shows how far it is. `stepping` grows by the seconds that the steps
+/// alone have taken.
+///
+/// # Errors
+/// The first error of the run.
+pub fn record(run: &mut impl Recorded, end: f64, quiet: bool, stepping: &mut f64) -> Result<(), Failure> {
+    let mut progress = Progress::new(quiet, end);
+    let mut dt = 0.0;
+    loop {
+        let time = run.time();
+        let last = time >= end;
+        run.look(dt, last)?;
+        if last {
+            progress.finish(time, run.steps());
+            return Ok(());
+        }
+        let clock = Instant::now();
+        let step = run.step();
+        *stepping += clock.elapsed().as_secs_f64();
+        match step {
+            Ok(taken) => dt = taken,
+            Err(failure) => {
+                run.keep_wreck()?;
+                return Err(failure);
+            }
+        }
+        // The time before the step, as the step is shown when it is known.
+        progress.update(time, run.steps(), dt, Remark(run));
+    }
+}

@@ -1,0 +1,10 @@
+//! Bodies that several programs move: the plate of case 1 and the flag of Turek and Hron, and how the motion of a
+//! body on its own is recorded.
+
+pub mod flag;
+mod motion;
+mod pictures;
+pub mod plate;
+
+pub use motion::{Motion, Sample};
+pub use pictures::{Look, Pictures};
