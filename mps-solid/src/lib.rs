@@ -46,6 +46,7 @@ mod particles;
 pub mod point;
 pub mod relaxation;
 mod solid;
+pub mod spin;
 pub mod stabilization;
 pub mod supports;
 mod sweeps;
