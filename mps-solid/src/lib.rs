@@ -40,6 +40,8 @@ mod energy;
 mod error;
 pub mod kinematics;
 pub mod materials;
+#[cfg(feature = "matrix")]
+pub mod matrix;
 pub mod momentum;
 mod particles;
 mod solid;
