@@ -20,7 +20,7 @@ const ROUNDS: usize = 300;
 /// A direction of which only this part is new is none.
 const NOTHING_NEW: f64 = 1e-8;
 
-/// Eigenvalues, descending, and the orthonormal eigenvectors.
+/// Eigenvalues, descending, and orthonormal eigenvectors.
 pub(super) struct Ritz {
     pub(super) values: Vec<f64>,
     pub(super) vectors: Mat<f64>,
@@ -28,15 +28,16 @@ pub(super) struct Ritz {
 
 /// The `wanted` largest eigenvalues of the symmetric operator `apply` on `len` unknowns.
 ///
-/// Converged is a vector `y` with the value `t` if `|apply(y) - t y| <= tolerance(t) |t|`. The error of `t`
-/// is of second order in that.
+/// Converged is a vector `y` with the value `t` if `|apply(y) - t y| <= tolerance(t, t_max) |t|`. The error
+/// of `t` is of second order in that. What is returned is `apply(y)`, one step of the power
+/// method better, made orthonormal again.
 ///
 /// # Errors
 /// [`MatrixError::Modes`] with the first that did not converge.
 pub(super) fn largest_values(
     len: usize,
     wanted: usize,
-    tolerance: impl Fn(f64) -> f64,
+    tolerance: impl Fn(f64, f64) -> f64,
     apply: impl Fn(MatRef<'_, f64>) -> Result<Mat<f64>, MatrixError>,
 ) -> Result<Ritz, MatrixError> {
     let block = (wanted + GUARD).min(len);
@@ -61,21 +62,26 @@ pub(super) fn largest_values(
         let values: Vec<f64> = (0..wanted).map(|k| eigen.S()[size - 1 - k]).collect();
         let coefficients = best(wanted).reverse_cols();
         let vectors = space.subcols(0, size) * coefficients;
-        let mut residuals = image.subcols(0, size) * coefficients;
+        let images = image.subcols(0, size) * coefficients;
+        let mut residuals = Mat::zeros(len, wanted);
         let mut open = Vec::new();
         for (k, &value) in values.iter().enumerate() {
-            let residual = residuals.col(k) - vectors.col(k) * faer::Scale(value);
+            let residual = images.col(k) - vectors.col(k) * faer::Scale(value);
             residuals.col_mut(k).copy_from(&residual);
             let relative = residual.norm_l2() / value.abs();
             // NaN is open too.
-            if !(relative <= tolerance(value)) {
+            if !(relative <= tolerance(value, values[0])) {
                 open.push((k, relative));
             }
         }
         match open.first() {
-            None => return Ok(Ritz { values, vectors }),
-            Some(_) if size == len => return Ok(Ritz { values, vectors }),
-            Some(&first) => worst = first,
+            Some(&first) if size < len => worst = first,
+            // In the whole space nothing is left to be found.
+            _ => {
+                let mut vectors = Mat::zeros(len, wanted);
+                extend(&mut vectors, 0, images.as_ref());
+                return Ok(Ritz { values, vectors });
+            }
         }
         if stuck {
             break;

@@ -44,15 +44,19 @@ pub enum MatrixError {
         /// Relative residual that was left.
         residual: f64,
     },
-    /// The body has a motion without resistance, or is not in a stable state.
+    /// A displacement costs no energy, or next to none.
     #[error(
-        "the body does not resist every displacement: its smallest stiffness is {ratio:e} of the largest; clamp it so that it can neither move nor turn, or, if it is loaded, reduce the load"
+        "the body can be displaced almost without force: its smallest stiffness is {ratio:e} of the largest; clamp it so that it can neither move nor turn"
     )]
     NotHeld {
-        /// Smallest over largest eigenvalue of `M^-1 K`, an estimate; negative or NaN if only known to be
-        /// not positive.
+        /// Smallest over largest eigenvalue of `M^-1 K`, estimated.
         ratio: f64,
     },
+    /// A displacement gains energy.
+    #[error(
+        "the matrix is not positive definite: the body is free to move or turn (clamp it), or its state is not stable (reduce the load)"
+    )]
+    Unstable,
     /// No equilibrium was found.
     #[error(
         "equilibrium found up to {factor} of the load, not beyond (residual {residual} of the load there; {reason}): the body buckles or collapses under more, or is too coarse for its deformation"

@@ -14,7 +14,8 @@ const SHIFT: f64 = 1e-9;
 const LARGER: f64 = 100.0;
 /// Residual of a mode that counts as none.
 const CONVERGED: f64 = 1e-9;
-/// The same in rounding units of the largest stiffness: what the entries of the matrix know.
+/// The same in rounding units: of the largest stiffness, for the entries of the matrix, and of the largest
+/// compliance, that of a rigid motion, for the solutions.
 const ROUNDING: f64 = 16.0;
 
 /// A free vibration about the state of the matrix.
@@ -42,9 +43,9 @@ impl<const D: usize> Stiffness<D> {
     /// The `count` lowest modes of `K phi = omega^2 M phi`, ascending.
     ///
     /// The largest eigenvalues of `(K + s M)^-1 M` are searched, with a small shift `s > 0` that makes the matrix
-    /// of a free body positive definite. The residual of a mode in that problem is below `1e-9` of it,
-    /// or what the entries of the matrix are rounded by (for `omega^2`: `4e-15` of the largest); the
-    /// relative error of a frequency is of second order in that. The same body gives the same bits.
+    /// of a free body positive definite. The residual of a mode in that problem is below `1e-9` of it, or what
+    /// it is rounded by; the error of a frequency is of second order in that. What remains is the rounding
+    /// of the matrix, about `1e-16` of the largest `omega^2` in `omega^2`. The same body gives the same bits.
     ///
     /// # Errors
     /// If there are not that many modes, or the search does not converge.
@@ -54,7 +55,9 @@ impl<const D: usize> Stiffness<D> {
         }
         let bound = self.bound();
         let factor = self.shifted(bound)?;
-        let tolerance = |value: f64| CONVERGED + ROUNDING * f64::EPSILON * bound * value;
+        let tolerance = |value: f64, largest: f64| {
+            CONVERGED + ROUNDING * f64::EPSILON * (bound * value + largest / value)
+        };
         let ritz = largest_values(self.len(), count, tolerance, |x| Ok(factor.solutions(x)))?;
         let mut modes: Vec<_> =
             ritz.vectors.col_iter().map(|y| self.mode(y.iter().copied().collect())).collect();
@@ -87,7 +90,7 @@ impl<const D: usize> Stiffness<D> {
             }
             shift *= LARGER;
         }
-        Err(MatrixError::NotHeld { ratio: f64::NAN })
+        Err(MatrixError::Unstable)
     }
 
     /// The mode of an eigenvector of the scaled matrix, with the square of Rayleigh's quotient.

@@ -13,7 +13,7 @@ use mps_neighbors::Parallel;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Newton {
     /// Largest residual force over the load, both as root of the sum of squares over the particles \[-\].
-    /// Default `1e-9`.
+    /// Default `1e-9`. What the rounding of the positions changes in the forces is always allowed.
     pub tolerance: f64,
     /// Most iterations for one part of the load. Default 15.
     pub iterations: usize,
@@ -114,7 +114,7 @@ impl Newton {
             let failed = |e: MatrixError| Failure { iterations, residual, reason: e.to_string() };
             let force = imbalance(stiffness, solid, load);
             let now = norm(&force) / size;
-            if now <= self.tolerance {
+            if now <= self.tolerance + stiffness.rounding(&solid.particles.position) / size {
                 return Ok((now, iterations));
             }
             stiffness.update(solid).map_err(failed)?;

@@ -99,8 +99,8 @@ impl<const D: usize> Stiffness<D> {
     /// The small displacement `u` \[m\] under the force on every particle \[N\]: `K u = f`.
     ///
     /// # Errors
-    /// If there is not one force for every particle, or the body is not held or not stable
-    /// ([`MatrixError::NotHeld`]).
+    /// If there is not one force for every particle, or the body is not held ([`MatrixError::NotHeld`],
+    /// [`MatrixError::Unstable`]).
     pub fn solve(&self, force: &[Vector<f64, D>]) -> Result<Vec<Vector<f64, D>>, MatrixError> {
         self.freedoms.check("force", force)?;
         self.solve_unknowns(self.freedoms.gather(|i, axis| force[i][axis]))
@@ -121,8 +121,18 @@ impl<const D: usize> Stiffness<D> {
     /// # Errors
     /// If the iteration does not converge.
     pub fn largest_frequency(&self) -> Result<f64, MatrixError> {
-        let ritz = largest_values(self.len(), 1, |_| 1e-4, |x| Ok(self.products(x)))?;
+        let ritz = largest_values(self.len(), 1, |_, _| 1e-4, |x| Ok(self.products(x)))?;
         Ok(ritz.values[0].sqrt())
+    }
+
+    /// Norm of the forces \[N\] that the rounding of the positions of the unknowns causes.
+    pub(super) fn rounding(&self, positions: &[Vector<f64, D>]) -> f64 {
+        let place = self.freedoms.gather(|i, axis| positions[i][axis]);
+        let force = |c: usize| {
+            let diagonal = self.scaled.column(c).find(|&(row, _)| row == c).map_or(0.0, |(_, value)| value);
+            (diagonal * place[c] * f64::EPSILON / (self.scale[c] * self.scale[c])).powi(2)
+        };
+        (0..self.len()).map(force).sum::<f64>().sqrt()
     }
 
     /// Largest absolute column sum of the scaled matrix: a bound of the largest `omega^2` \[1/s^2\].
@@ -133,7 +143,7 @@ impl<const D: usize> Stiffness<D> {
 
     /// The factors of the scaled matrix, if no displacement is free.
     fn held(&self) -> Result<Factor, MatrixError> {
-        let factor = Factor::new(self, 0.0)?.ok_or(MatrixError::NotHeld { ratio: f64::NAN })?;
+        let factor = Factor::new(self, 0.0)?.ok_or(MatrixError::Unstable)?;
         // Two inverse iterations from noise show the softest displacement.
         let size = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
         let mut trial = super::eigen::noise(self.len(), 1);
