@@ -46,13 +46,16 @@ pub(super) fn largest_values(
     let mut size = 0;
     let noise = noise(len, block);
     let mut candidates = MatRef::from_column_major_slice(&noise, len, block).to_owned();
-    let mut worst = (0, f64::NAN);
-    for _ in 0..ROUNDS {
+    let mut worst = MatrixError::Modes { mode: 0, rounds: 0, residual: f64::NAN };
+    for rounds in 1..=ROUNDS {
         let grown = extend(&mut space, size, candidates.as_ref());
         let new = apply(space.subcols(size, grown - size))?;
         image.subcols_mut(size, grown - size).copy_from(&new);
-        let stuck = grown == size;
+        let stuck = grown == size || grown < block;
         size = grown;
+        if stuck {
+            break;
+        }
 
         let projected = space.subcols(0, size).transpose() * image.subcols(0, size);
         let projected = (&projected + projected.transpose()) * faer::Scale(0.5);
@@ -75,16 +78,13 @@ pub(super) fn largest_values(
             }
         }
         match open.first() {
-            Some(&first) if size < len => worst = first,
+            Some(&(mode, residual)) if size < len => worst = MatrixError::Modes { mode, rounds, residual },
             // In the whole space nothing is left to be found.
             _ => {
                 let mut vectors = Mat::zeros(len, wanted);
                 extend(&mut vectors, 0, images.as_ref());
                 return Ok(Ritz { values, vectors });
             }
-        }
-        if stuck {
-            break;
         }
         candidates = Mat::from_fn(len, open.len(), |row, k| residuals[(row, open[k].0)]);
         if size + open.len() > capacity {
@@ -95,7 +95,7 @@ pub(super) fn largest_values(
             size = block;
         }
     }
-    Err(MatrixError::Modes { mode: worst.0, rounds: ROUNDS, residual: worst.1 })
+    Err(worst)
 }
 
 /// Adds to the first `size` columns of `space` what the candidates have outside of them, orthonormal;
