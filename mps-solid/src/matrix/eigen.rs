@@ -72,8 +72,7 @@ pub(super) fn largest_values(
             let residual = images.col(k) - vectors.col(k) * faer::Scale(value);
             residuals.col_mut(k).copy_from(&residual);
             let relative = residual.norm_l2() / value.abs();
-            // NaN is open too.
-            if !(relative <= tolerance(value, values[0])) {
+            if relative > tolerance(value, values[0]) || relative.is_nan() {
                 open.push((k, relative));
             }
         }
