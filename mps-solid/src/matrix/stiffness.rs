@@ -50,16 +50,12 @@ impl<const D: usize> Stiffness<D> {
         Ok(stiffness)
     }
 
-    /// The same about new positions of the same body.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new), or if this is another body (with another number of particles).
-    pub fn update<M, K>(&mut self, solid: &Solid<f64, D, M, K>) -> Result<(), MatrixError>
+    /// The same about new positions of the same body: the pattern is that of its reference pairs.
+    pub(super) fn update<M, K>(&mut self, solid: &Solid<f64, D, M, K>) -> Result<(), MatrixError>
     where
         M: ConstitutiveModel<f64, D>,
         K: Kernel<f64>,
     {
-        self.freedoms.check("the body", solid.positions())?;
         assemble(solid, &self.freedoms, &mut self.scaled)?;
         for column in 0..self.len() {
             for at in self.scaled.starts[column]..self.scaled.starts[column + 1] {
