@@ -36,6 +36,7 @@
 
 pub mod body;
 mod config;
+pub mod contact;
 mod energy;
 mod error;
 pub mod kinematics;
