@@ -58,7 +58,7 @@ impl<T: Real, const D: usize> Contact<T, D> {
         bodies: &[&mut dyn Elastic<T, D>],
     ) -> Result<T, ContactError> {
         self.check(bodies)?;
-        let most = T::of(f64::MAX.min(f64::from(f32::MAX)));
+        let most = T::of(f64::from(f32::MAX));
         let alone = bodies.iter().fold(most, |least, body| least.min(body.max_step(parallel)));
         let near = self.pairings.iter().filter(|pairing| pairing.is_near() || !self.updated);
         let rate2 = near.fold(T::zero(), |most, pairing| most.max(pairing.rate2));
