@@ -40,6 +40,7 @@
 pub mod body;
 mod config;
 pub mod conformance;
+pub mod contact;
 mod energy;
 mod error;
 pub mod kinematics;
