@@ -146,8 +146,7 @@ fn disturbed(across: &[f64], ratios: &[f64]) -> Outcome<()> {
                             Vector::<f64, 2>::from_fn(|axis, _| noise() * size * regular.spacing()[axis]);
                         particles.push(x + shift, *volume, false);
                     }
-                    let body = body::Body { particles, spacing: *regular.spacing() };
-                    found.push(first(&solid(body, nu, 1.0)?)? / lattice);
+                    found.push(first(&solid(particles, *regular.spacing(), nu, 1.0)?)? / lattice);
                 }
                 let mean = found.iter().sum::<f64>() / found.len() as f64;
                 let least = found.iter().copied().fold(f64::INFINITY, f64::min);
@@ -177,12 +176,18 @@ type Plate = Solid<f64, 2, CorotationalHooke<f64>>;
 fn plate(n: usize, nu: f64, clamp: &[Face], bending: f64) -> Outcome<Plate> {
     let (lower, upper) = (Vector::<f64, 2>::zeros(), Vector::<f64, 2>::new(LENGTH, THICKNESS));
     let counts = body::counts(&lower, &upper, THICKNESS / n as f64, clamp);
-    solid(body::block(lower, upper, counts, clamp)?, nu, bending)
+    let block = body::block(lower, upper, counts, clamp)?;
+    solid(block.particles, block.spacing, nu, bending)
 }
 
-fn solid(body: body::Body<f64, 2>, nu: f64, bending: f64) -> Outcome<Plate> {
+fn solid(
+    particles: SolidParticles<f64, 2>,
+    spacing: Vector<f64, 2>,
+    nu: f64,
+    bending: f64,
+) -> Outcome<Plate> {
     let material = CorotationalHooke::from(Moduli::new(2.0 * SHEAR * (1.0 + nu), nu)?);
     let config = SolidConfig { bending_correction: bending, ..SolidConfig::default() };
     let parallel = Parallel::serial();
-    Ok(Solid::new(body.particles, body.spacing, DENSITY, material, WendlandC2, config, &parallel)?)
+    Ok(Solid::new(particles, spacing, DENSITY, material, WendlandC2, config, &parallel)?)
 }

@@ -3,9 +3,9 @@
 use crate::{SolidError, SolidParticles};
 use mps_kernel::Vector;
 
-/// Whether particle `i` can move along `axis`: the only place where this module asks what is clamped.
-fn moves<const D: usize>(particles: &SolidParticles<f64, D>, i: usize, _axis: usize) -> bool {
-    !particles.is_clamped(i)
+/// Whether particle `i` can move along `axis`: the only place where this module asks what is held.
+fn moves<const D: usize>(particles: &SolidParticles<f64, D>, i: usize, axis: usize) -> bool {
+    !particles.is_held(i, axis)
 }
 
 /// The degrees of freedom that move: particle by particle, axis by axis.
