@@ -4,7 +4,7 @@ use crate::budget::Books;
 use crate::eos::{EquationOfState, Tait};
 use crate::exchange::Exchange;
 use crate::search::Search;
-use crate::terms::{Viscosity, WallPair};
+use crate::terms::{Guard, Viscosity, WallPair};
 use crate::{Boundary, FluidConfig, FluidError, FluidParticles, Tension};
 use mps_kernel::weights::Rational;
 use mps_kernel::{Kernel, ParticleStore, Real, ReferenceDensity, Tensor, Vector};
@@ -272,6 +272,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             compressibility: T::one()
                 / (self.config.density * self.config.sound_speed * self.config.sound_speed),
             clip: self.config.tension == Tension::Clip,
+            guard: Guard::new(&self.config, self.reference.gradient_factor::<D>()),
         }
     }
 

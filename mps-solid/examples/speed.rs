@@ -6,7 +6,7 @@
 use mps_kernel::{Vector, weights::WendlandC2};
 use mps_neighbors::Parallel;
 use mps_solid::body::{self, Face};
-use mps_solid::materials::{CorotationalHooke, NeoHookean, SaintVenantKirchhoff};
+use mps_solid::materials::{CorotationalHooke, NearlyIncompressible, NeoHookean, SaintVenantKirchhoff};
 use mps_solid::{ConstitutiveModel, Solid, SolidConfig};
 use std::error::Error;
 use std::time::Instant;
@@ -16,8 +16,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     strip(CorotationalHooke::new(e, nu)?)?;
     strip(SaintVenantKirchhoff::new(e, nu)?)?;
     strip(NeoHookean::new(e, nu)?)?;
+    strip(NearlyIncompressible::new(e, nu)?)?;
     beam(CorotationalHooke::new(e, nu)?)?;
     beam(SaintVenantKirchhoff::new(e, nu)?)?;
+    beam(NearlyIncompressible::new(e, nu)?)?;
     Ok(())
 }
 

@@ -13,6 +13,9 @@
 //! angular momentum are kept to round-off, and the sub-steps are symplectic ([`Solid::advance`]), so that
 //! the energy only oscillates.
 //!
+//! With the cargo feature `matrix` the second derivative of `E` is there as a sparse matrix, for frequencies,
+//! modes and static equilibria without time steps (module `matrix`).
+//!
 //! ```
 //! use mps_kernel::{Vector, weights::WendlandC2};
 //! use mps_neighbors::Parallel;
@@ -36,16 +39,21 @@
 
 pub mod body;
 mod config;
+pub mod conformance;
+pub mod contact;
 mod energy;
 mod error;
 pub mod kinematics;
 pub mod loads;
 pub mod materials;
+#[cfg(feature = "matrix")]
+pub mod matrix;
 pub mod momentum;
 mod particles;
 pub mod point;
 pub mod relaxation;
 mod solid;
+pub mod spin;
 pub mod stabilization;
 pub mod supports;
 mod sweeps;

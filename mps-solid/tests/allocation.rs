@@ -8,6 +8,7 @@ use common::block;
 use mps_kernel::Vector;
 use mps_neighbors::Parallel;
 use mps_solid::body::Face;
+use mps_solid::contact::{Contact, ContactConfig, Elastic};
 use mps_solid::materials::CorotationalHooke;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -48,4 +49,32 @@ fn nothing_allocates_in_a_step() {
         assert!(energy.kinetic > 0.0 && solid.max_step(&parallel) < dt);
     }
     assert_eq!(COUNT.load(Ordering::Relaxed) - before, 0);
+    nothing_allocates_in_contact();
+}
+
+/// A block that bounces on another: once the largest contact has been, nothing allocates.
+fn nothing_allocates_in_contact() {
+    let parallel = Parallel::serial();
+    let gravity = Vector::<f64, 2>::new(0.0, -9.81);
+    let material = CorotationalHooke::new(1e6, 0.4).unwrap();
+    let mut under = block([30, 6], &[Face::lower(1)], material);
+    let mut over = block([30, 6], &[], material);
+    over.positions_mut().iter_mut().for_each(|x| x.y += 0.063);
+    over.velocities_mut().fill(gravity * 0.2);
+    let mut contact = Contact::new(ContactConfig::default()).unwrap();
+    contact.add(&under.shape()).unwrap();
+    contact.add(&over.shape()).unwrap();
+    let bodies: &mut [&mut dyn Elastic<f64, 2>] = &mut [&mut under, &mut over];
+    let mut advance = |rounds: usize| {
+        let before = COUNT.load(Ordering::Relaxed);
+        let mut touched = false;
+        for _ in 0..rounds {
+            let dt = contact.max_step(&parallel, bodies).unwrap();
+            contact.advance(&parallel, bodies, |_| &[], &gravity, 5.0 * dt, 5).unwrap();
+            touched |= contact.energy() > 0.0;
+        }
+        (COUNT.load(Ordering::Relaxed) - before, touched)
+    };
+    assert!(advance(200).1);
+    assert_eq!(advance(600), (0, true));
 }

@@ -6,7 +6,7 @@ mod common;
 use common::{Noise, deform, rotation};
 use mps_kernel::{Tensor, Vector, weights::WendlandC2};
 use mps_neighbors::Parallel;
-use mps_solid::materials::{CorotationalHooke, NeoHookean, SaintVenantKirchhoff};
+use mps_solid::materials::{CorotationalHooke, NearlyIncompressible, NeoHookean, SaintVenantKirchhoff};
 use mps_solid::{ConstitutiveModel, Solid, SolidConfig, SolidParticles};
 use proptest::prelude::*;
 
@@ -67,5 +67,6 @@ proptest! {
         check([columns, rows], ratio, seed, CorotationalHooke::new(1e6, nu).unwrap())?;
         check([columns, rows], ratio, seed, SaintVenantKirchhoff::new(1e6, nu).unwrap())?;
         check([columns, rows], ratio, seed, NeoHookean::new(1e6, nu).unwrap())?;
+        check([columns, rows], ratio, seed, NearlyIncompressible::new(1e6, nu).unwrap())?;
     }
 }

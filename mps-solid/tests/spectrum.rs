@@ -1,14 +1,13 @@
-//! The stiffness matrix of small bodies: zero-energy modes, and the largest eigenfrequency.
+//! The stiffness matrix of small bodies by differences of the forces: zero-energy modes, and the largest
+//! eigenfrequency. What needs no feature; more bodies, and disturbed ones, are in `zero_modes.rs`.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail the test")]
 
 mod common;
 
 use common::{block, deform};
-use mps_kernel::{Vector, weights::WendlandC2};
-use mps_neighbors::Parallel;
-use mps_solid::body::{self, Face};
+use mps_kernel::Vector;
+use mps_solid::Solid;
 use mps_solid::materials::CorotationalHooke;
-use mps_solid::{Solid, SolidConfig};
 use nalgebra::{DMatrix, SymmetricEigen};
 
 /// `omega^2` of all modes \[1/s^2\], ascending, by differences of the forces.
@@ -64,8 +63,8 @@ fn has_only_rigid_zero_modes<const D: usize>(counts: [usize; D], nu: f64) {
 
 #[test]
 fn free_patch_has_three_zero_modes_in_the_plane() {
-    for counts in [[6, 6], [12, 2], [12, 3], [13, 4], [2, 2]] {
-        for nu in [0.0, 0.3, 0.47] {
+    for counts in [[6, 6], [12, 2], [2, 2]] {
+        for nu in [0.0, 0.47] {
             has_only_rigid_zero_modes(counts, nu);
         }
     }
@@ -73,7 +72,7 @@ fn free_patch_has_three_zero_modes_in_the_plane() {
 
 #[test]
 fn free_patch_has_six_zero_modes_in_space() {
-    for counts in [[4, 4, 4], [6, 2, 2], [5, 4, 2], [6, 3, 3]] {
+    for counts in [[6, 2, 2], [5, 4, 2]] {
         for nu in [0.0, 0.4] {
             has_only_rigid_zero_modes(counts, nu);
         }
@@ -99,23 +98,4 @@ fn alternating_displacement_is_held_by_the_bending_energy() {
     // About kappa V 2 w (2 amplitude) for each of the four nearest neighbours, twice.
     let scale = solid.bending_coefficient() * solid.volumes()[center] / spacing.x.powi(2) * amplitude;
     assert!(force > 0.5 * scale, "{force} against {scale}");
-}
-
-/// Euler-Bernoulli: a clamped strip of 40 to 1 swings at 1.8751^2/(2 pi L^2) sqrt(E' h^2/(12 rho)).
-#[test]
-fn first_frequency_of_a_slender_strip_is_that_of_beam_theory() {
-    for across in [2, 3] {
-        let length = 40.0;
-        let (lower, upper) = (Vector::<f64, 2>::zeros(), Vector::<f64, 2>::new(length, 1.0));
-        let clamp = [Face::lower(0)];
-        let strip = body::block(lower, upper, [40 * across, across], &clamp).unwrap();
-        let material = CorotationalHooke::new(1.0, 0.0).unwrap();
-        let parallel = Parallel::serial();
-        let config = SolidConfig::default();
-        let mut solid =
-            Solid::new(strip.particles, strip.spacing, 1.0, material, WendlandC2, config, &parallel).unwrap();
-        let omega = squared_frequencies(&mut solid)[0].sqrt();
-        let beam = 1.8751_f64.powi(2) / length.powi(2) * (1.0_f64 / 12.0).sqrt();
-        assert!((omega / beam - 1.0).abs() < 0.02, "{across} across: {}", omega / beam);
-    }
 }

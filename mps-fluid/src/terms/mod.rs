@@ -1,7 +1,9 @@
 //! The addends of the fluid's equations, each written for one pair.
 
+mod guard;
 mod viscosity;
 mod wall;
 
+pub(crate) use guard::Guard;
 pub use viscosity::{ArtificialViscosity, LaminarViscosity, Viscosity};
 pub(crate) use wall::WallPair;

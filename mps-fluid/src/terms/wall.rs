@@ -1,5 +1,6 @@
 //! The state a boundary point shows to one fluid particle.
 
+use super::Guard;
 use crate::Boundary;
 use crate::fluid::State;
 use mps_kernel::operators::ConservativeGradient;
@@ -16,6 +17,8 @@ pub(crate) struct WallPair<T: Real, const D: usize> {
     pub(crate) compressibility: T,
     /// Whether pressures below zero become zero.
     pub(crate) clip: bool,
+    /// What keeps spray from passing between the points.
+    pub(crate) guard: Guard<T>,
 }
 
 impl<T: Real, const D: usize> WallPair<T, D> {
@@ -56,6 +59,6 @@ impl<T: Real, const D: usize> WallPair<T, D> {
         let (pa, na) = self.state(pi, ni, &boundary.acceleration[a], &pair.r_ij);
         let pressure =
             ConservativeGradient::pair_pressure(pi, ni, own.inverse_density, pa, na, T::one() / na);
-        pair.r_ij * (pressure * pair.over_r2 * boundary.volume[a])
+        pair.r_ij * (pressure * pair.over_r2 * boundary.volume[a] + self.guard.share(pair))
     }
 }

@@ -5,18 +5,24 @@
 //! | [`CorotationalHooke`] | `lambda/2 tr(U-I)^2 + mu abs(U-I)^2` | large rotation, small strain: the law of Tavakoli et al. 2026 |
 //! | [`SaintVenantKirchhoff`] | `lambda/2 tr(E)^2 + mu abs(E)^2` | the same, and the usual choice of benchmarks |
 //! | [`NeoHookean`] | `mu/2 (tr C - D) - mu ln J + lambda/2 ln(J)^2` | large strain; resists compression to a point |
+//! | [`NearlyIncompressible`] | `mu/2 (J^(-2/3) I1 - 3) + K/2 [(J^2-1)/2 - ln J]` | rubber: shape and volume cost apart |
 //!
-//! All three agree to first order with Hooke's law. In 2D they describe plane strain: the third stretch
-//! is 1 and drops out of every formula.
+//! All four agree to first order with Hooke's law. In 2D they describe plane strain: the third stretch
+//! is 1 (it drops out of every formula but the last, whose `I1 = tr C + 3 - D` contains it).
+//!
+//! A material of your own is one implementation of [`ConstitutiveModel`]; [`conformance`](crate::conformance)
+//! finds what is wrong with it, and the program `custom-material` of the examples shows how it is done.
 
 mod corotational;
 mod moduli;
 mod neo_hookean;
+mod rubber;
 mod saint_venant;
 
 pub use corotational::CorotationalHooke;
 pub use moduli::{MaterialError, Moduli};
 pub use neo_hookean::NeoHookean;
+pub use rubber::NearlyIncompressible;
 pub use saint_venant::SaintVenantKirchhoff;
 
 use mps_kernel::{Pod, Real, Tensor};
@@ -36,7 +42,8 @@ pub trait ConstitutiveModel<T: Real, const D: usize>: Send + Sync {
     ///
     /// `elapsed` is the time since the history was last updated \[s\]: the sub-step, or zero when the
     /// stress of an unchanged state is asked for again. A model with a memory must then neither
-    /// change it nor divide by it.
+    /// change it nor divide by it, and give the stress that it gave before: a part that depends on a rate is
+    /// made of the rate in the history. Otherwise looking at a body would change its motion.
     fn first_piola(&self, f: &Tensor<T, D>, history: &mut Self::History, elapsed: T) -> Tensor<T, D>;
 
     /// Lame's first modulus `lambda` of the undeformed material \[Pa\].

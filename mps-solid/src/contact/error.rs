@@ -1,0 +1,88 @@
+//! What can go wrong with bodies in contact, and what to do about it.
+
+use crate::SolidError;
+use mps_neighbors::NeighborError;
+use thiserror::Error;
+
+/// Why bodies could not be put into contact or moved.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ContactError {
+    /// A parameter is out of range.
+    #[error("{name} must be {must}, got {value}")]
+    Parameter {
+        /// Which one.
+        name: &'static str,
+        /// What it must be.
+        must: &'static str,
+        /// What it was.
+        value: f64,
+    },
+    /// A body has an unusable spacing, modulus, mass or volume.
+    #[error("the {name} of body {body} must be positive and finite, got {value}")]
+    Shape {
+        /// Number of the body.
+        body: usize,
+        /// What is wrong with it.
+        name: &'static str,
+        /// The value.
+        value: f64,
+    },
+    /// Other bodies are moved than were put into contact.
+    #[error(
+        "{got} bodies were given, but {expected} were put into contact: hand over all, in the same order"
+    )]
+    Bodies {
+        /// Bodies given.
+        got: usize,
+        /// Bodies added.
+        expected: usize,
+    },
+    /// The number of entries of a body is not that of its particles.
+    #[error("{name} of body {body} has {got} entries, but the body has {particles} particles")]
+    Length {
+        /// Number of the body.
+        body: usize,
+        /// What was given.
+        name: &'static str,
+        /// Its length.
+        got: usize,
+        /// Particles of the body.
+        particles: usize,
+    },
+    /// The surfaces of two bodies, or of one that is folded, have passed through one another.
+    #[error(
+        "particle {particle} of body {body} is {overlap} m deep in body {other} (nearest there: particle {neighbor}), more than the {deepest} m contact can push back from: if the bodies overlap at the start, move them apart; otherwise halve the sub-step (ContactConfig::cfl), then lower the load or the speed: it takes a pressure of about half the modulus lambda + 2 mu"
+    )]
+    Passed {
+        /// Index of the particle.
+        particle: usize,
+        /// Number of its body.
+        body: usize,
+        /// Number of the body it is in (the same one where it is folded).
+        other: usize,
+        /// Index of the nearest particle of that body.
+        neighbor: usize,
+        /// Overlap \[m\].
+        overlap: f64,
+        /// Largest overlap allowed \[m\].
+        deepest: f64,
+    },
+    /// The search refused the positions, for example because one is NaN.
+    #[error("search between bodies {body} and {other}: {source}")]
+    Search {
+        /// Number of the one body.
+        body: usize,
+        /// Number of the other.
+        other: usize,
+        /// What was wrong.
+        source: NeighborError,
+    },
+    /// A body cannot go on.
+    #[error("body {body}: {source}")]
+    Body {
+        /// Number of the body.
+        body: usize,
+        /// Why.
+        source: SolidError,
+    },
+}
