@@ -108,7 +108,7 @@ fn viscous_factor(material: &MooneyRivlin, limit: f64) -> f64 {
 #[derive(Parser, Clone, Debug)]
 #[command(version)]
 struct Options {
-    /// Simulated time [s]
+    /// Simulated time (s)
     #[arg(long, value_name = "S", default_value_t = 3.0)]
     end_time: f64,
     /// Viscosity of the damped strip [Pa s]
