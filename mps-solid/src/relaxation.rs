@@ -21,6 +21,7 @@ pub struct Relaxation<T> {
     /// Largest allowed norm of the forces that do not balance, over that of the load, or without a load over that
     /// of the forces at the supports \[-\]. Default 1e-5, which leaves 0.005 % in the deflection
     /// of a beam 17 times as long as thick.
+    /// Rounding of the positions ends at about 1e-8 (`f64`) for such a beam with 8 particles across; less is never reached.
     pub tolerance: T,
     /// Most steps. Default 1,000,000.
     pub max_steps: usize,

@@ -29,7 +29,7 @@ pub(crate) struct Options {
     #[arg(long, value_name = "S", default_value_t = 10.0)]
     end_time: f64,
     /// Forces that may be left in CSM1, over the load
-    #[arg(long, value_name = "SHARE", default_value_t = 1e-8)]
+    #[arg(long, value_name = "SHARE", default_value_t = 1e-6)]
     tolerance: f64,
     #[command(flatten)]
     pub(crate) common: Common,
@@ -78,7 +78,7 @@ impl Options {
         Refused::unless((2..=100).contains(&across), "--across", across, needed)?;
         let usual = "give the simulated time in seconds, at most 1000, e.g. 10";
         Refused::unless(self.end_time > 0.0 && self.end_time <= 1000.0, "--end-time", self.end_time, usual)?;
-        let usual = "give a share of the load between 1e-11 and 0.01, e.g. 1e-8";
+        let usual = "give a share of the load between 1e-11 and 0.01, e.g. 1e-6";
         let good = (1e-11..=0.01).contains(&self.tolerance);
         Refused::unless(good, "--tolerance", self.tolerance, usual)?;
         Refused::unless(

@@ -15,7 +15,7 @@ impl Case for Csm1 {
 
     fn about(&self) -> &'static str {
         "The flag of Turek and Hron (2006), 0.35 m x 0.02 m, E = 1.4 MPa, nu = 0.4, clamped on the arc of the cylinder, at rest under g = 2 m/s2. \
-         Displacement of its end; forces are balanced to 1e-8 of the load."
+         Displacement of its end; forces are balanced to 1e-6 of the load."
     }
 
     fn resolution(&self) -> &'static str {
@@ -29,7 +29,7 @@ impl Case for Csm1 {
     fn run(&self, n: usize, _: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {
         let mut flag = flag::<f64>(n, Clamp::Arc, parallel)?;
         let point = flag.point(end())?;
-        let relaxation = Relaxation { tolerance: 1e-8, max_steps: 10_000_000 };
+        let relaxation = Relaxation { tolerance: 1e-6, max_steps: 10_000_000 };
         flag.relax(parallel, &gravity(), |_, _| (), &relaxation)?;
         let moved = point.value(flag.positions()) - point.reference();
         let allowed = if n < 8 { 0.03 } else { 0.01 };
