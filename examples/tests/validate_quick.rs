@@ -1,4 +1,4 @@
-//! The exact problems of the fluid at their coarsest, with bounds of what they reach there. On request:
+//! The exact problems of the fluid and the solid at their coarsest, with bounds of what they reach there. On request:
 //! `cargo test -p mps-examples --test validate_quick -- --ignored`.
 
 use mps_io::Value;
@@ -36,13 +36,32 @@ const BOUNDS: &[(&str, &str, u64, f64)] = &[
     ("dam-break-3d", "leaked particles", 8, 0.0),
 ];
 
-#[test]
-#[ignore = "takes about a minute"]
-fn the_exact_problems_stay_as_good_as_they_are() {
-    let dir = Path::new(env!("CARGO_TARGET_TMPDIR")).join("validate-quick");
+/// The same for the solid.
+const SOLID: &[(&str, &str, u64, f64)] = &[
+    ("rotation", "stress, largest", 10, 1e-12),
+    ("patch", "deformation, largest error", 10, 1e-12),
+    ("momentum", "momentum, largest change", 10, 1e-12),
+    ("momentum", "angular momentum, largest change", 10, 1e-12),
+    ("bar", "displacement at L/c", 80, 0.028),
+    ("stretch", "stress in the middle, error", 17, 0.0035),
+    ("weight", "sag of the end", 4, 0.02),
+    ("spin", "angular momentum, largest change", 8, 1e-12),
+    ("spin", "energy, largest change", 8, 1e-6),
+    ("cantilever", "period", 5, 0.008),
+    ("cantilever", "amplitude", 5, 0.006),
+    ("cantilever", "energy, largest change", 5, 1e-4),
+    ("csm1", "ux", 4, 0.03),
+    ("csm1", "uy", 4, 0.016),
+    ("csm3", "uy, mean", 4, 0.013),
+    ("csm3", "uy, amplitude", 4, 0.022),
+    ("csm3", "uy, frequency", 4, 0.003),
+];
+
+fn stays_within(phase: &str, bounds: &[(&str, &str, u64, f64)], pictures: &[&str], heading: &str) {
+    let dir = Path::new(env!("CARGO_TARGET_TMPDIR")).join("validate-quick").join(phase);
     let _ = std::fs::remove_dir_all(&dir);
     let status = Command::new(env!("CARGO_BIN_EXE_validate"))
-        .args(["fluid", "--quick", "--quiet", "--out"])
+        .args([phase, "--quick", "--quiet", "--out"])
         .arg(&dir)
         .status()
         .unwrap();
@@ -51,7 +70,7 @@ fn the_exact_problems_stay_as_good_as_they_are() {
     let table: Value = std::fs::read_to_string(dir.join("validation.json")).unwrap().parse().unwrap();
     let rows = table["rows"].as_array().unwrap();
     assert!(rows.iter().all(|row| row["failure"].is_null()), "every run reaches its end");
-    for &(case, metric, resolution, bound) in BOUNDS {
+    for &(case, metric, resolution, bound) in bounds {
         let row = rows
             .iter()
             .find(|row| row["case"] == case && row["metric"] == metric && row["resolution"] == resolution)
@@ -59,11 +78,24 @@ fn the_exact_problems_stay_as_good_as_they_are() {
         let error = row["error"].as_f64().unwrap_or(f64::NAN);
         assert!(error.abs() <= bound, "{case}, {metric} at {resolution}: error {error:e}, allowed {bound:e}");
     }
-    for picture in ["couette-profiles.png", "taylor-green-decay.png", "standing-wave-mode.png"] {
+    for picture in pictures {
         assert!(dir.join(picture).is_file(), "{picture}");
     }
     let text = std::fs::read_to_string(dir.join("validation.md")).unwrap();
-    assert!(text.contains("## taylor-green"), "the same as tables");
+    assert!(text.contains(heading), "the same as tables");
+}
+
+#[test]
+#[ignore = "takes about a minute"]
+fn the_exact_problems_of_the_fluid_stay_as_good_as_they_are() {
+    let pictures = ["couette-profiles.png", "taylor-green-decay.png", "standing-wave-mode.png"];
+    stays_within("fluid", BOUNDS, &pictures, "## taylor-green");
+}
+
+#[test]
+#[ignore = "takes a quarter of a minute"]
+fn the_exact_problems_of_the_solid_stay_as_good_as_they_are() {
+    stays_within("solid", SOLID, &[], "## cantilever");
 }
 
 #[test]
