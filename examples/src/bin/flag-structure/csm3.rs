@@ -3,7 +3,7 @@
 use crate::options::Options;
 use crate::{Settings, look, plots};
 use mps_examples::series::{Oscillation, oscillation};
-use mps_examples::solid::flag::{CSM3, SOURCE, end, flag, gravity};
+use mps_examples::solid::flag::{CSM3, CSM3_FIRST, CSM3_FIRST_END, SOURCE, end, flag, gravity};
 use mps_examples::solid::{Motion, Pictures, Sample};
 use mps_examples::{Cost, Failure, Recorded, conclude, enter_results, record};
 use mps_io::{Metric, Summary};
@@ -54,9 +54,17 @@ fn enter(summary: &mut Summary, samples: &[Sample]) {
         let number = |unit: &str, k: usize, value: fn(&Oscillation) -> f64| {
             found.as_ref().map(|found| Metric::new(value(found), unit).compared_with(CSM3[axis][k], SOURCE))
         };
+        let early = time.partition_point(|t| *t < CSM3_FIRST_END);
+        let first = oscillation(&time[..early], &tip[..early]);
+        let of_first = |k: usize, value: fn(&Oscillation) -> f64| {
+            let source = "first swing of the series of Turek and Hron 2006";
+            first.as_ref().map(|o| Metric::new(value(o), "m").compared_with(CSM3_FIRST[axis][k], source))
+        };
         enter_results(
             summary,
             [
+                (format!("{name}_mean_first"), of_first(0, |o| o.mean)),
+                (format!("{name}_amplitude_first"), of_first(1, |o| o.amplitude)),
                 (format!("{name}_mean"), number("m", 0, |o| o.mean)),
                 (format!("{name}_amplitude"), number("m", 1, |o| o.amplitude)),
                 (format!("{name}_frequency"), number("Hz", 2, |o| 1.0 / o.period)),
