@@ -1,5 +1,6 @@
 //! The exact problems of the fluid and the solid at their coarsest, with bounds of what they reach there. On request:
 //! `cargo test -p mps-examples --test validate_quick -- --ignored`.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail the test")]
 
 use mps_io::Value;
 use std::path::Path;
