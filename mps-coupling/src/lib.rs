@@ -4,6 +4,7 @@
 mod budget;
 mod elastic;
 mod error;
+mod fixed;
 mod register;
 mod scene;
 mod structure;
@@ -11,6 +12,7 @@ mod structure;
 pub use budget::Budget;
 pub use elastic::ElasticBody;
 pub use error::CouplingError;
+pub use fixed::Fixed;
 pub use register::Interface;
 pub use scene::Scene;
 pub use structure::{Structure, StructureEnergy};

@@ -39,6 +39,25 @@ pub enum FluidError {
     /// The neighbour search failed.
     #[error(transparent)]
     Neighbors(#[from] NeighborError),
+    /// An opening that cannot be.
+    #[error("an opening for the fluid is refused: {what}")]
+    Opening {
+        /// What is wrong and what to do.
+        what: String,
+    },
+    /// An inlet is asked to draw fluid in, or for no number.
+    #[error(
+        "an inlet has the speed {speed} m/s at t = {time:e} s, position {place:?} m: it has to be a number, not negative; \
+         where fluid is to leave, put an outlet"
+    )]
+    Inflow {
+        /// Speed \[m/s\].
+        speed: f64,
+        /// Time \[s\].
+        time: f64,
+        /// Position \[m\].
+        place: Vec<f64>,
+    },
     /// A particle's state is no longer a finite number.
     #[error(
         "fluid particle {id} has {quantity} {value} at t = {time:e} s (step {step}), position {position:?} m: the run has become unstable; \

@@ -3,6 +3,7 @@
 use crate::budget::Books;
 use crate::eos::{EquationOfState, Tait};
 use crate::exchange::Exchange;
+use crate::open::OpenBoundaries;
 use crate::search::Search;
 use crate::terms::{Guard, Viscosity, WallPair};
 use crate::{Boundary, FluidConfig, FluidError, FluidParticles, Tension};
@@ -35,6 +36,7 @@ pub struct Fluid<
     pub(crate) search: Search<T, D>,
     pub(crate) rates: Rates<T, D>,
     pub(crate) exchange: Exchange<T, D>,
+    pub(crate) open: Option<Box<OpenBoundaries<T, D>>>,
     pub(crate) books: Option<Box<Books<T, D>>>,
     pub(crate) time: T,
     pub(crate) steps: u64,
@@ -86,7 +88,7 @@ pub(crate) struct Flow<T: Real, const D: usize> {
 }
 
 impl<T: Real, const D: usize> Rates<T, D> {
-    fn resize(&mut self, len: usize) {
+    pub(crate) fn resize(&mut self, len: usize) {
         self.state.resize(
             len,
             State {
@@ -146,6 +148,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             boundary,
             rates,
             exchange: Exchange::default(),
+            open: None,
             books: None,
             time: T::zero(),
             steps: 0,
@@ -174,12 +177,14 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// # Errors
     /// If a particle's state is not finite or its speed makes the time step collapse.
     pub fn begin_step(&mut self, parallel: &Parallel) -> Result<T, FluidError> {
-        self.search.refresh(parallel, &self.domain, &mut self.particles, &self.boundary)?;
+        self.meet_neighbours(parallel)?;
+        self.drive_inlets()?;
         self.shift(parallel)?;
         self.collide(parallel);
         self.evaluate_pressure(parallel);
         self.sweep_correction(parallel);
         self.sweep_momentum(parallel);
+        self.hold_outlets(parallel);
         self.react(parallel);
         self.prepare_exchange();
         self.stable_step(parallel)
@@ -216,6 +221,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         });
         self.book_step(parallel, dt);
         self.sweep_density(parallel, dt);
+        self.hold_densities(parallel, dt);
         let FluidParticles { position, velocity, density, .. } = &mut self.particles;
         let (velocity, rate) = (&*velocity, &self.rates.density_rate);
         let domain = self.domain;
@@ -225,9 +231,23 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             *r = domain.wrap(*r + velocity[i] * dt);
             *n = (*n + rate[i] * dt).max(thinnest);
         });
+        self.advance_inlets(dt);
         self.time += dt;
         self.last_dt = dt;
         self.steps += 1;
+    }
+
+    /// Rebuilds the neighbour rows if they have expired. Particles enter and leave on that occasion.
+    fn meet_neighbours(&mut self, parallel: &Parallel) -> Result<(), FluidError> {
+        if !self.search.expired(parallel, &self.domain, &self.particles, &self.boundary) {
+            return Ok(());
+        }
+        let newcomers = self.let_pass();
+        self.search.rebuild(parallel, &self.domain, &mut self.particles, &self.boundary)?;
+        if let Some(first) = newcomers {
+            self.welcome(first);
+        }
+        Ok(())
     }
 
     fn evaluate_pressure(&mut self, parallel: &Parallel) {

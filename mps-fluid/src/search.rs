@@ -49,18 +49,25 @@ impl<T: Real, const D: usize> Search<T, D> {
         }
     }
 
-    /// Puts the particles into spatial order and rebuilds all rows, if somebody has moved so far
-    /// that a pair could be missing. Returns whether it did.
-    pub(crate) fn refresh<P: Domain<T, D>>(
+    /// Whether somebody has moved so far that a pair could be missing.
+    pub(crate) fn expired<P: Domain<T, D>>(
+        &self,
+        parallel: &Parallel,
+        domain: &P,
+        particles: &FluidParticles<T, D>,
+        boundary: &Boundary<T, D>,
+    ) -> bool {
+        self.skin.expired(parallel, domain, &[&particles.position, &boundary.position])
+    }
+
+    /// Puts the particles into spatial order and builds all rows anew.
+    pub(crate) fn rebuild<P: Domain<T, D>>(
         &mut self,
         parallel: &Parallel,
         domain: &P,
         particles: &mut FluidParticles<T, D>,
         boundary: &Boundary<T, D>,
-    ) -> Result<bool, FluidError> {
-        if !self.skin.expired(parallel, domain, &[&particles.position, &boundary.position]) {
-            return Ok(false);
-        }
+    ) -> Result<(), FluidError> {
         self.cells.build(parallel, domain, &particles.position, self.reach)?;
         self.permutation.apply(particles, self.cells.order())?;
         self.cells.settle();
@@ -85,6 +92,6 @@ impl<T: Real, const D: usize> Search<T, D> {
         }
         self.skin.renew(&[points, &boundary.position]);
         self.rebuilds += 1;
-        Ok(true)
+        Ok(())
     }
 }

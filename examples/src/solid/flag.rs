@@ -42,6 +42,20 @@ pub const CSM3: [[f64; 3]; 2] = [[-14.305e-3, 14.305e-3, 1.0995], [-63.607e-3, 6
 /// The flag.
 pub type Flag<T> = Solid<T, 2, SaintVenantKirchhoff<T>>;
 
+/// What the flag is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rubber {
+    /// Density \[kg/m^3\].
+    pub density: f64,
+    /// Young's modulus \[Pa\].
+    pub young: f64,
+    /// Poisson's ratio.
+    pub poisson: f64,
+}
+
+/// The material of the structural tests.
+pub const RUBBER: Rubber = Rubber { density: DENSITY, young: YOUNG, poisson: POISSON };
+
 /// Where the flag is held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Clamp {
@@ -77,7 +91,12 @@ impl Clamp {
 ///
 /// # Errors
 /// If the numbers do not make a body.
-pub fn flag<T: Real>(across: usize, clamp: Clamp, parallel: &Parallel) -> Result<Flag<T>, Failure> {
+pub fn flag<T: Real>(
+    across: usize,
+    clamp: Clamp,
+    rubber: &Rubber,
+    parallel: &Parallel,
+) -> Result<Flag<T>, Failure> {
     let held = [Face::lower(0)];
     let half = 0.5 * THICKNESS;
     let (lower, upper) = ([END[0] - LENGTH, END[1] - half], [END[0], END[1] + half]);
@@ -91,9 +110,9 @@ pub fn flag<T: Real>(across: usize, clamp: Clamp, parallel: &Parallel) -> Result
         let place = Vector::from([upper[0] - (upper[0] - x[0]) * stretch, x[1]]);
         particles.push(place, block.particles.volumes()[i] * stretch, block.particles.is_clamped(i));
     }
-    let material = SaintVenantKirchhoff::new(T::of(YOUNG), T::of(POISSON))?;
+    let material = SaintVenantKirchhoff::new(T::of(rubber.young), T::of(rubber.poisson))?;
     let config = SolidConfig::default();
-    Ok(Solid::new(particles, block.spacing, T::of(DENSITY), material, WendlandC2, config, parallel)?)
+    Ok(Solid::new(particles, block.spacing, T::of(rubber.density), material, WendlandC2, config, parallel)?)
 }
 
 /// The end point A.
@@ -112,7 +131,7 @@ mod tests {
 
     #[test]
     fn the_clamped_particles_are_on_the_cylinder_and_the_volume_is_that_of_the_drawing() {
-        let flag = flag::<f64>(8, Clamp::Arc, &Parallel::serial()).unwrap();
+        let flag = flag::<f64>(8, Clamp::Arc, &RUBBER, &Parallel::serial()).unwrap();
         let particles = flag.particles();
         let on_arc = |i: &usize| {
             let x = particles.reference_positions()[*i];

@@ -80,6 +80,9 @@ where
     P: Domain<T, D>,
 {
     let (packing, asymmetry) = (&fluid.rates.packing, &fluid.rates.asymmetry);
+    if fluid.is_leaving(i) {
+        return Vector::zeros();
+    }
     if packing[i] >= T::of(FULL) {
         return asymmetry[i];
     }

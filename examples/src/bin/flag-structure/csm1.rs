@@ -3,7 +3,7 @@
 use crate::options::Options;
 use crate::{Settings, look, plots};
 use mps_examples::solid::Pictures;
-use mps_examples::solid::flag::{CSM1, Flag, SOURCE, end, flag, gravity};
+use mps_examples::solid::flag::{CSM1, Flag, RUBBER, SOURCE, end, flag, gravity};
 use mps_examples::{Cost, Failure, conclude};
 use mps_io::{CsvWriter, Metric, Progress};
 use mps_kernel::{Real, Vector};
@@ -22,7 +22,7 @@ const USUAL: f64 = 4.0;
 
 pub(crate) fn run<T: Real>(options: &Options, settings: &Settings, dir: &Path) -> Result<(), Failure> {
     let parallel = options.common.parallel()?;
-    let mut flag = flag::<T>(settings.across, settings.clamp, &parallel)?;
+    let mut flag = flag::<T>(settings.across, settings.clamp, &RUBBER, &parallel)?;
     let tip = flag.point(end())?;
     let table = CsvWriter::create(dir.join("probes.csv"), &["step [-]", "tip x [m]", "tip y [m]"])?;
     let dt = flag.max_step(&parallel).to_double();

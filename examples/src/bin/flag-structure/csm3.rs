@@ -3,7 +3,7 @@
 use crate::options::Options;
 use crate::{Settings, look, plots};
 use mps_examples::series::{Oscillation, oscillation};
-use mps_examples::solid::flag::{CSM3, CSM3_FIRST, CSM3_FIRST_END, SOURCE, end, flag, gravity};
+use mps_examples::solid::flag::{CSM3, CSM3_FIRST, CSM3_FIRST_END, RUBBER, SOURCE, end, flag, gravity};
 use mps_examples::solid::{Motion, Pictures, Sample};
 use mps_examples::{Cost, Failure, Recorded, conclude, enter_results, record};
 use mps_io::{Metric, Summary};
@@ -15,7 +15,7 @@ const SAMPLES: f64 = 400.0;
 
 pub(crate) fn run<T: Real>(options: &Options, settings: &Settings, dir: &Path) -> Result<(), Failure> {
     let parallel = options.common.parallel()?;
-    let flag = flag::<T>(settings.across, settings.clamp, &parallel)?;
+    let flag = flag::<T>(settings.across, settings.clamp, &RUBBER, &parallel)?;
     let period = 1.0 / CSM3[1][2];
     let mut look = look(options.test, settings);
     (look.frame, look.stills) = (period / 20.0, vec![("lowest", 0.5 * period), ("highest", period)]);

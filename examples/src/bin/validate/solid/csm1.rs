@@ -2,7 +2,7 @@
 
 use crate::case::{Case, Measure, Outcome, Pace};
 use mps_examples::Failure;
-use mps_examples::solid::flag::{CSM1, Clamp, SOURCE, end, flag, gravity};
+use mps_examples::solid::flag::{CSM1, Clamp, RUBBER, SOURCE, end, flag, gravity};
 use mps_neighbors::Parallel;
 use mps_solid::Relaxation;
 
@@ -27,7 +27,7 @@ impl Case for Csm1 {
     }
 
     fn run(&self, n: usize, _: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {
-        let mut flag = flag::<f64>(n, Clamp::Arc, parallel)?;
+        let mut flag = flag::<f64>(n, Clamp::Arc, &RUBBER, parallel)?;
         let point = flag.point(end())?;
         let relaxation = Relaxation { tolerance: 1e-6, max_steps: 10_000_000 };
         flag.relax(parallel, &gravity(), |_, _| (), &relaxation)?;

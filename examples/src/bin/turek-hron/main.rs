@@ -1,0 +1,57 @@
+//! Case 3: the flag of Turek and Hron (2006) behind a cylinder in a channel, rigid or elastic, from geometry to drag, lift and
+//! the motion of its end.
+
+mod fields;
+mod geometry;
+mod observe;
+mod options;
+mod reference;
+mod report;
+mod run;
+mod setup;
+
+use clap::Parser;
+use fields::Fields;
+use mps_examples::{Cost, Failure, Precision, conclude, exit_code, record};
+use mps_kernel::Real;
+use observe::Observer;
+use options::Options;
+use run::Run;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let options = Options::parse();
+    exit_code(match options.common.precision {
+        Precision::F32 => run::<f32>(&options),
+        Precision::F64 => run::<f64>(&options),
+    })
+}
+
+fn run<T: Real>(options: &Options) -> Result<(), Failure> {
+    let settings = options.settings()?;
+    let parallel = options.common.parallel()?;
+    let dir = options.common.output(&format!("turek-hron-{}", settings.test.name()))?;
+    let mut scene = setup::build::<T>(&settings, &parallel)?;
+    let mut observer = Observer::new(&dir, &scene)?;
+    let fields = if options.common.no_fields { None } else { Some(Fields::new(&dir, &settings, &scene)?) };
+    let (end, quiet, mut seconds) = (settings.end_time, options.common.quiet, 0.0);
+    // Inside the pool the loops of a step need no hand-over between threads.
+    let done = parallel.install(|| {
+        let mut run = Run::new(&mut scene, &mut observer, fields, &settings, &parallel);
+        record(&mut run, end, quiet, &mut seconds)
+    });
+
+    // Whatever happened, what has been computed is kept.
+    report::plots(&dir, &settings, &observer)?;
+    let cost = Cost {
+        threads: parallel.threads(),
+        steps: scene.fluid().steps(),
+        seconds,
+        simulated: scene.fluid().time().to_double(),
+        particles: scene.fluid().particles().position.len(),
+    };
+    let mut summary = report::summary(&settings, &scene, &observer);
+    cost.enter(&mut summary, &options.common, done.as_ref().err());
+    conclude(&dir, &summary, &options.common, done.is_ok())?;
+    done
+}

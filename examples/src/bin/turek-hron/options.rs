@@ -1,0 +1,132 @@
+//! The command line of the program, and the settings it stands for.
+
+use crate::geometry::HEIGHT;
+use crate::reference::Test;
+use crate::setup::Settings;
+use clap::Parser;
+use mps_examples::solid::flag::{END, THICKNESS};
+use mps_examples::{Common, Refused};
+
+/// Flow about a cylinder with a flag in a channel (Turek and Hron 2006; case 3 of the paper).
+///
+/// The inflow comes up to speed within two seconds. Writes probes.csv, plots of drag, lift and the end of the flag, summary.json,
+/// and unless told otherwise fields for ParaView, snapshots and a film.
+#[derive(Parser, Clone, Debug)]
+#[command(version, rename_all = "kebab-case", allow_negative_numbers = true)]
+pub(crate) struct Options {
+    /// Which test
+    #[arg(long, value_enum, default_value_t = Test::Cfd1)]
+    pub(crate) test: Test,
+    /// Spacing of the fluid particles (m): an even part of the flag's thickness of 0.02 m
+    #[arg(long, value_name = "M", default_value_t = 0.005)]
+    pub(crate) spacing: f64,
+    /// Simulated time (s); until the flow is what is compared if left out
+    #[arg(long, value_name = "S")]
+    pub(crate) end_time: Option<f64>,
+    /// Structure particles across the flag; as fine as the fluid if left out
+    #[arg(long, value_name = "N")]
+    pub(crate) across: Option<usize>,
+    /// Length of the channel (m)
+    #[arg(long, value_name = "M", default_value_t = 2.5)]
+    pub(crate) length: f64,
+    /// Numerical sound speed over twice the mean inflow, which is the largest speed beside the cylinder
+    #[arg(long, value_name = "RATIO", default_value_t = 10.0)]
+    pub(crate) sound_ratio: f64,
+    /// Courant number of the fluid
+    #[arg(long, value_name = "C", default_value_t = 0.5)]
+    pub(crate) cfl: f64,
+    /// Strength of the particle shifting
+    #[arg(long, value_name = "A", default_value_t = 10.0)]
+    pub(crate) shifting: f64,
+    /// Parts of the shifting in a step; 0 for none
+    #[arg(long, value_name = "K", default_value_t = 1)]
+    pub(crate) parts: u32,
+    #[command(flatten)]
+    pub(crate) common: Common,
+}
+
+impl Options {
+    /// Refuses what cannot be run, before anything is built.
+    pub(crate) fn settings(&self) -> Result<Settings, Refused> {
+        let positive = |x: f64| x.is_finite() && x > 0.0;
+        let l0 = self.spacing;
+        Refused::unless(
+            positive(l0),
+            "--spacing",
+            l0,
+            "give the distance between particles in metres, e.g. 0.005",
+        )?;
+        let whole = |length: f64| (length / l0 - (length / l0).round()).abs() < 1e-6;
+        Refused::unless(
+            whole(HEIGHT) && whole(0.5 * THICKNESS),
+            "--spacing",
+            l0,
+            "half the thickness of the flag (0.01 m) and the height of the channel (0.41 m) have to be whole numbers of it: 0.01, 0.005, 0.0025, ...",
+        )?;
+        Refused::unless(
+            l0 >= 2e-4,
+            "--spacing",
+            l0,
+            "some 26 million particles would be needed; give at least 2e-4 m",
+        )?;
+        let end_time = self.end_time.unwrap_or_else(|| self.test.settled());
+        Refused::unless(
+            positive(end_time) && end_time <= 1000.0,
+            "--end-time",
+            end_time,
+            "give the simulated time in seconds, at most 1000",
+        )?;
+        Refused::unless(
+            self.length.is_finite()
+                && self.length >= END[0] + 0.4
+                && self.length <= 100.0
+                && whole(self.length),
+            "--length",
+            self.length,
+            "the wake needs room: give at least 1 m and a whole number of particle spacings, e.g. 2.5",
+        )?;
+        Refused::unless(
+            positive(self.cfl) && self.cfl <= 2.0,
+            "--cfl",
+            self.cfl,
+            "give a Courant number between 0 and 2, e.g. 0.5",
+        )?;
+        Refused::unless(
+            self.sound_ratio.is_finite() && self.sound_ratio >= 1.0,
+            "--sound-ratio",
+            self.sound_ratio,
+            "the numerical sound must be faster than the water; usual is 10",
+        )?;
+        Refused::unless(
+            self.shifting.is_finite() && (0.0..=100.0).contains(&self.shifting),
+            "--shifting",
+            self.shifting,
+            "give a strength between 0 and 100, e.g. 10",
+        )?;
+        Refused::unless(
+            self.parts <= 100,
+            "--parts",
+            self.parts,
+            "give the number of parts of a shift, 1 to 5, or 0",
+        )?;
+        let across = self.across.unwrap_or((THICKNESS / l0).round() as usize);
+        Refused::unless(
+            (2..=200).contains(&across),
+            "--across",
+            across,
+            "give 2 to 200 particles across the flag",
+        )?;
+        self.common.check()?;
+        Ok(Settings {
+            test: self.test,
+            spacing: l0,
+            across,
+            end_time,
+            length: self.length,
+            sound_ratio: self.sound_ratio,
+            cfl: self.cfl,
+            shifting: self.shifting,
+            parts: self.parts,
+        })
+    }
+}
