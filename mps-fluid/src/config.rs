@@ -1,6 +1,7 @@
 //! The numbers that define a fluid and its numerics.
 
 use crate::FluidError;
+use crate::eos::Tait;
 use crate::regularize::{Dpc, Shifting};
 use mps_kernel::{Real, Vector};
 
@@ -82,6 +83,9 @@ pub struct FluidConfig<T: Real, const D: usize> {
     pub cfl: T,
     /// Treatment of negative pressure. Default [`Tension::Clip`].
     pub tension: Tension,
+    /// Pressure at reference density \[Pa\]. Default zero. Fluid that fills its domain has no pressure of its own, only differences;
+    /// a level above the largest suction keeps it together, and its particles even. Structures feel it as well.
+    pub background_pressure: T,
     /// Form of the pressure gradient and of the divergence. Default [`PressureForm::Plain`].
     pub pressure_form: PressureForm,
     /// Pairwise collisions; `None` switches them off.
@@ -105,11 +109,17 @@ impl<T: Real, const D: usize> FluidConfig<T, D> {
             diffusion: Diffusion::Filter { delta: T::of(0.5) },
             cfl: T::of(0.5),
             tension: Tension::Clip,
+            background_pressure: T::zero(),
             pressure_form: PressureForm::Plain,
             collisions: Some(Dpc::default()),
             shifting: None,
             skin_ratio: T::of(0.2),
         }
+    }
+
+    /// The equation of state.
+    pub fn equation_of_state(&self) -> Tait<T> {
+        Tait::new(self.density, self.sound_speed).with_level(self.background_pressure)
     }
 
     /// Effective radius `re` \[m\].
@@ -155,6 +165,13 @@ impl<T: Real, const D: usize> FluidConfig<T, D> {
         )?;
         check("cfl", self.cfl, tiny, 2.0, "the Courant number, usually 0.1 to 0.8")?;
         check("skin_ratio", self.skin_ratio, 0.0, 3.0, "the reach of the neighbour rows beyond re, over l0")?;
+        check(
+            "background_pressure",
+            self.background_pressure,
+            0.0,
+            huge,
+            "the pressure at reference density in Pa, 0 with a free surface",
+        )?;
         for &component in self.gravity.iter() {
             check("gravity", component, -huge, huge, "in m/s2")?;
         }

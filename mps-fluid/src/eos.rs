@@ -14,18 +14,25 @@ pub trait EquationOfState<T: Real>: Copy + Send + Sync {
     fn sound_speed(&self) -> T;
 }
 
-/// Tait's equation with exponent 7 (eq. 26): `p = rho0 c^2/7 ((n/n0)^7 - 1)`.
+/// Tait's equation with exponent 7 (eq. 26): `p = rho0 c^2/7 ((n/n0)^7 - 1)`, and a level added to it if wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tait<T> {
     sound_speed: T,
     /// `rho0 c^2 / 7` \[Pa\].
     stiffness: T,
+    /// Pressure at `n = n0` \[Pa\].
+    level: T,
 }
 
 impl<T: Real> Tait<T> {
     /// For the reference density \[kg/m^3\] and the (numerical) sound speed \[m/s\].
     pub fn new(density: T, sound_speed: T) -> Self {
-        Self { sound_speed, stiffness: density * sound_speed * sound_speed / T::of(7.0) }
+        Self { sound_speed, stiffness: density * sound_speed * sound_speed / T::of(7.0), level: T::zero() }
+    }
+
+    /// The same with the pressure `level` \[Pa\] at reference density.
+    pub fn with_level(self, level: T) -> Self {
+        Self { level, ..self }
     }
 }
 
@@ -33,15 +40,16 @@ impl<T: Real> EquationOfState<T> for Tait<T> {
     #[inline(always)]
     fn pressure(&self, density: T) -> T {
         let n3 = density * density * density;
-        self.stiffness * (n3 * n3 * density - T::one())
+        self.level + self.stiffness * (n3 * n3 * density - T::one())
     }
 
     fn density(&self, pressure: T) -> T {
-        (T::one() + pressure / self.stiffness).max(T::zero()).powf(T::of(1.0 / 7.0))
+        (T::one() + (pressure - self.level) / self.stiffness).max(T::zero()).powf(T::of(1.0 / 7.0))
     }
 
     fn energy(&self, density: T) -> T {
         self.stiffness * ((density.powi(7) - T::one()) / T::of(7.0) - density.ln())
+            + self.level * density.ln()
     }
 
     fn sound_speed(&self) -> T {
@@ -56,7 +64,7 @@ mod tests {
 
     #[test]
     fn the_stored_energy_is_the_work_of_the_pressure() {
-        let eos = Tait::new(1000.0_f64, 15.0);
+        let eos = Tait::new(1000.0_f64, 15.0).with_level(2000.0);
         for n in [0.97, 1.0, 1.003, 1.02] {
             let h = 1e-5;
             let slope = (eos.energy(n + h) - eos.energy(n - h)) / (2.0 * h);
@@ -66,7 +74,8 @@ mod tests {
 
     #[test]
     fn density_inverts_pressure_and_the_slope_is_the_sound_speed() {
-        let eos = Tait::new(1000.0_f64, 15.0);
+        let eos = Tait::new(1000.0_f64, 15.0).with_level(2000.0);
+        assert_eq!(eos.pressure(1.0), 2000.0);
         for n in [0.95, 1.0, 1.05] {
             assert_relative_eq!(eos.density(eos.pressure(n)), n, max_relative = 1e-12);
         }

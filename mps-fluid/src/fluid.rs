@@ -138,7 +138,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         rates.resize(len);
         let mut fluid = Self {
             viscosity: viscosity(&reference),
-            eos: Tait::new(config.density, config.sound_speed),
+            eos: config.equation_of_state(),
             search: Search::new(&config),
             config,
             kernel,

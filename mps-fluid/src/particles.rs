@@ -32,6 +32,22 @@ impl<T: Real, const D: usize> FluidParticles<T, D> {
             id: (0..len as u32).collect(),
         }
     }
+
+    /// Adds a particle.
+    pub(crate) fn push(
+        &mut self,
+        position: Vector<T, D>,
+        velocity: Vector<T, D>,
+        density: T,
+        pressure: T,
+        id: u32,
+    ) {
+        self.position.push(position);
+        self.velocity.push(velocity);
+        self.density.push(density);
+        self.pressure.push(pressure);
+        self.id.push(id);
+    }
 }
 
 impl<T: Real, const D: usize> ParticleStore for FluidParticles<T, D> {

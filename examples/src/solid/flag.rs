@@ -6,7 +6,7 @@ use mps_kernel::{Real, Vector};
 use mps_neighbors::Parallel;
 use mps_solid::body::{self, Face};
 use mps_solid::materials::SaintVenantKirchhoff;
-use mps_solid::{Solid, SolidConfig, SolidParticles};
+use mps_solid::{ConstitutiveModel, Solid, SolidConfig, SolidParticles};
 
 /// Centre of the cylinder \[m\].
 pub const CYLINDER: [f64; 2] = [0.2, 0.2];
@@ -97,6 +97,21 @@ pub fn flag<T: Real>(
     rubber: &Rubber,
     parallel: &Parallel,
 ) -> Result<Flag<T>, Failure> {
+    let material = SaintVenantKirchhoff::new(T::of(rubber.young), T::of(rubber.poisson))?;
+    flag_of(across, clamp, rubber.density, material, parallel)
+}
+
+/// The flag of any material.
+///
+/// # Errors
+/// If the numbers do not make a body.
+pub fn flag_of<T: Real, M: ConstitutiveModel<T, 2>>(
+    across: usize,
+    clamp: Clamp,
+    density: f64,
+    material: M,
+    parallel: &Parallel,
+) -> Result<Solid<T, 2, M>, Failure> {
     let held = [Face::lower(0)];
     let half = 0.5 * THICKNESS;
     let (lower, upper) = ([END[0] - LENGTH, END[1] - half], [END[0], END[1] + half]);
@@ -110,9 +125,8 @@ pub fn flag<T: Real>(
         let place = Vector::from([upper[0] - (upper[0] - x[0]) * stretch, x[1]]);
         particles.push(place, block.particles.volumes()[i] * stretch, block.particles.is_clamped(i));
     }
-    let material = SaintVenantKirchhoff::new(T::of(rubber.young), T::of(rubber.poisson))?;
     let config = SolidConfig::default();
-    Ok(Solid::new(particles, block.spacing, T::of(rubber.density), material, WendlandC2, config, parallel)?)
+    Ok(Solid::new(particles, block.spacing, T::of(density), material, WendlandC2, config, parallel)?)
 }
 
 /// The end point A.

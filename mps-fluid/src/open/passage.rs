@@ -1,9 +1,9 @@
 //! What open boundaries do in a step.
 
-use super::{Inlet, Outlet};
+use super::{Inlet, Opening, Outlet};
 use crate::eos::EquationOfState;
 use crate::terms::Viscosity;
-use crate::{Fluid, FluidError, FluidParticles};
+use crate::{Fluid, FluidError};
 use mps_kernel::{FieldVisitor, Kernel, Neighborhood, ParticleStore, Pod, Real, Vector};
 use mps_neighbors::{Domain, Parallel};
 
@@ -14,6 +14,8 @@ pub(crate) struct OpenBoundaries<T: Real, const D: usize> {
     outlets: Vec<Outlet<T, D>>,
     /// Density ratio beyond each outlet in this step.
     beyond: Vec<T>,
+    /// Mean speed through the plane of each outlet in the last step \[m/s\].
+    speed: Vec<Option<T>>,
     /// Volume that enters per time \[m^D/s\].
     inflow: T,
     /// Number of the next particle.
@@ -28,10 +30,19 @@ impl<T: Real, const D: usize> Default for OpenBoundaries<T, D> {
             inlets: Vec::new(),
             outlets: Vec::new(),
             beyond: Vec::new(),
+            speed: Vec::new(),
             inflow: T::zero(),
             next_id: 0,
             passed: [0; 2],
         }
+    }
+}
+
+impl<T: Real, const D: usize> OpenBoundaries<T, D> {
+    /// A number for a new particle.
+    fn number(&mut self) -> u32 {
+        self.next_id += 1;
+        self.next_id - 1
     }
 }
 
@@ -48,16 +59,28 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         Ok(())
     }
 
-    /// Lets fluid leave. Walls have to reach twice the effective radius beyond its plane.
+    /// Lets fluid leave. The zone beyond its plane, twice the effective radius and a spacing deep, is filled with particles at rest;
+    /// walls have to reach an effective radius further.
     ///
     /// # Errors
     /// If the opening is no whole number of spacings wide, or the run has begun.
     pub fn add_outlet(&mut self, outlet: Outlet<T, D>) -> Result<(), FluidError> {
         self.refuse_after_start()?;
-        outlet.opening.check(self.config.spacing)?;
+        let spacing = self.config.spacing;
+        outlet.opening.check(spacing)?;
+        let density = self.eos.density(outlet.pressure);
+        let layers = (self.zone() / spacing).to_double() as usize;
+        for layer in 0..layers {
+            for place in outlet.opening.lattice(spacing, T::of(layer as f64 + 0.5) * spacing) {
+                let id = self.open_boundaries().number();
+                self.particles.push(place, Vector::zeros(), density, outlet.pressure, id);
+            }
+        }
+        self.rates.resize(self.particles.position.len());
         let open = self.open_boundaries();
         open.outlets.push(outlet);
-        open.beyond.push(T::one());
+        open.beyond.push(density);
+        open.speed.push(None);
         Ok(())
     }
 
@@ -67,6 +90,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         }
         let what = format!("it has to be added before the first step, not after {}", self.steps);
         Err(FluidError::Opening { what })
+    }
+
+    /// Depth of the zone beyond an outlet \[m\].
+    fn zone(&self) -> T {
+        T::of(2.0) * self.reference.radius + self.config.spacing
     }
 
     fn open_boundaries(&mut self) -> &mut OpenBoundaries<T, D> {
@@ -83,27 +111,21 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
     /// Lets particles in and out. Afterwards the neighbour rows have to be rebuilt.
     pub(crate) fn let_pass(&mut self) -> Option<u32> {
+        let depth = self.zone();
         let open = self.open.as_mut()?;
-        let depth = T::of(2.0) * self.reference.radius + self.config.spacing;
-        let FluidParticles { position, velocity, density, pressure, id } = &mut self.particles;
-        let before = position.len();
+        let before = self.particles.position.len();
         let gone = |place: &Vector<T, D>| open.outlets.iter().any(|outlet| outlet.drops(place, depth));
-        let keep: Vec<bool> = position.iter().map(|place| !gone(place)).collect();
+        let keep: Vec<bool> = self.particles.position.iter().map(|place| !gone(place)).collect();
         let leaving = keep.iter().any(|kept| !kept);
         let first = open.next_id;
-        let mut next = first;
-        for inlet in &open.inlets {
-            inlet.release(&mut self.boundary, |place, speed| {
-                position.push(place);
-                velocity.push(speed);
-                density.push(T::one());
-                pressure.push(T::zero());
-                id.push(next);
-                next += 1;
+        let OpenBoundaries { inlets, next_id, .. } = &mut **open;
+        for inlet in inlets.iter() {
+            inlet.release(&mut self.boundary, |place, velocity| {
+                self.particles.push(place, velocity, T::one(), T::zero(), *next_id);
+                *next_id += 1;
             });
         }
-        open.next_id = next;
-        let born = position.len() - before;
+        let born = self.particles.position.len() - before;
         if leaving {
             self.particles.for_each_field(&mut Keep(&keep));
         }
@@ -147,41 +169,34 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         Ok(())
     }
 
-    /// Finds the pressure beyond the outlets and takes the forces off the particles there.
+    /// Finds the pressure beyond the outlets and takes the forces off the particles there: they go on with the speed at which they
+    /// crossed the plane, and what the mean speed at the plane has changed by since.
     pub(crate) fn hold_outlets(&mut self, parallel: &Parallel) {
         let Some(open) = &mut self.open else { return };
         let (position, velocity) = (&self.particles.position, &self.particles.velocity);
         let slab = T::of(2.0) * self.reference.radius;
         let area = open.outlets.iter().fold(T::zero(), |area, outlet| area + outlet.opening.area());
-        for (outlet, beyond) in open.outlets.iter().zip(&mut open.beyond) {
-            let mut pressure = outlet.pressure;
-            if outlet.absorbing {
-                let opening = &outlet.opening;
-                let near = |i: usize| {
-                    let depth = opening.beyond(&position[i]);
-                    let speed = opening.along(velocity[i][opening.axis]);
-                    if depth <= T::zero() && depth > -slab {
-                        (speed, T::one())
-                    } else {
-                        (T::zero(), T::zero())
-                    }
-                };
-                let none = (T::zero(), T::zero());
-                let (speed, count) =
-                    parallel.fold(position.len(), none, &near, &|a, b| (a.0 + b.0, a.1 + b.1));
-                if count > T::zero() {
-                    let excess = speed / count - open.inflow / area;
-                    pressure += self.config.density * self.config.sound_speed * excess;
+        let expected = open.inflow / area;
+        for (k, outlet) in open.outlets.iter().enumerate() {
+            let speed = speed_at_plane(parallel, &outlet.opening, slab, position, velocity);
+            let excess = match speed {
+                Some(speed) if outlet.absorbing => speed - expected,
+                _ => T::zero(),
+            };
+            let impedance = self.config.density * self.config.sound_speed;
+            open.beyond[k] = self.eos.density(outlet.pressure + impedance * excess);
+            let change = match (speed, open.speed[k]) {
+                (Some(now), Some(before)) if self.last_dt > T::zero() => (now - before) / self.last_dt,
+                _ => T::zero(),
+            };
+            open.speed[k] = speed;
+            parallel.update(self.rates.acceleration.as_mut_slice(), |i, a| {
+                if outlet.holds(&position[i]) {
+                    *a = Vector::zeros();
+                    a[outlet.opening.axis] = outlet.opening.along(change);
                 }
-            }
-            *beyond = self.eos.density(pressure);
+            });
         }
-        let outlets = &open.outlets;
-        parallel.update(self.rates.acceleration.as_mut_slice(), |i, a| {
-            if outlets.iter().any(|outlet| outlet.holds(&position[i])) {
-                *a = Vector::zeros();
-            }
-        });
     }
 
     /// Gives the particles beyond the outlets the density they are to have after `dt` \[s\].
@@ -215,6 +230,26 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let place = &self.particles.position[i];
         self.open.as_ref().is_some_and(|open| open.outlets.iter().any(|outlet| outlet.holds(place)))
     }
+}
+
+/// Mean speed through the plane of an opening \[m/s\]: the line of least squares through the particles up to `slab` \[m\] before it, at
+/// the plane. (The mean over the slab is what it was when the sound was there; the delay would send a part of it back.)
+fn speed_at_plane<T: Real, const D: usize>(
+    parallel: &Parallel,
+    opening: &Opening<T, D>,
+    slab: T,
+    position: &[Vector<T, D>],
+    velocity: &[Vector<T, D>],
+) -> Option<T> {
+    let moments = |i: usize| {
+        let x = opening.beyond(&position[i]);
+        let u = opening.along(velocity[i][opening.axis]);
+        if x <= T::zero() && x > -slab { [T::one(), x, x * x, u, x * u] } else { [T::zero(); 5] }
+    };
+    let add = |a: [T; 5], b: [T; 5]| core::array::from_fn(|k| a[k] + b[k]);
+    let [n, x, xx, u, xu] = parallel.fold(position.len(), [T::zero(); 5], &moments, &add);
+    let spread = n * xx - x * x;
+    (spread > T::zero()).then(|| (xx * u - x * xu) / spread)
 }
 
 /// Keeps the marked entries of every field, in their order; those beyond the marks as well.

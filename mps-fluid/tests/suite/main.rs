@@ -17,6 +17,7 @@ mod hydrostatic;
 mod impacts;
 mod leaks;
 mod moving_walls;
+mod openings;
 mod parameters;
 mod plates;
 mod resting;

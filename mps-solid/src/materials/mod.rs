@@ -13,12 +13,14 @@
 //! A material of your own is one implementation of [`ConstitutiveModel`]; [`conformance`](crate::conformance)
 //! finds what is wrong with it, and the program `custom-material` of the examples shows how it is done.
 
+mod ambient;
 mod corotational;
 mod moduli;
 mod neo_hookean;
 mod rubber;
 mod saint_venant;
 
+pub use ambient::Ambient;
 pub use corotational::CorotationalHooke;
 pub use moduli::{MaterialError, Moduli};
 pub use neo_hookean::NeoHookean;

@@ -32,7 +32,7 @@ fn run<T: Real>(options: &Options) -> Result<(), Failure> {
     let parallel = options.common.parallel()?;
     let dir = options.common.output(&format!("turek-hron-{}", settings.test.name()))?;
     let mut scene = setup::build::<T>(&settings, &parallel)?;
-    let mut observer = Observer::new(&dir, &scene)?;
+    let mut observer = Observer::new(&dir, settings.level(), &scene)?;
     let fields = if options.common.no_fields { None } else { Some(Fields::new(&dir, &settings, &scene)?) };
     let (end, quiet, mut seconds) = (settings.end_time, options.common.quiet, 0.0);
     // Inside the pool the loops of a step need no hand-over between threads.

@@ -16,7 +16,7 @@ const COLUMNS: &[&str] = &[
     "end y [m]",
     "drag [N/m]",
     "lift [N/m]",
-    "mean pressure [Pa]",
+    "mean pressure beyond the level [Pa]",
     "mean speed [m/s]",
     "largest speed [m/s]",
     "fluid particles [-]",
@@ -43,14 +43,16 @@ pub(crate) struct Observer<T: Real> {
     csv: CsvWriter,
     end: Option<MaterialPoint<T, 2>>,
     impulse: [f64; 2],
+    /// Level of the pressure \[Pa\].
+    level: f64,
     pub(crate) samples: Vec<Sample>,
 }
 
 impl<T: Real> Observer<T> {
-    pub(crate) fn new(dir: &Path, scene: &Channel<T>) -> Result<Self, Failure> {
+    pub(crate) fn new(dir: &Path, level: f64, scene: &Channel<T>) -> Result<Self, Failure> {
         let end = elastic(scene).map(|flag| flag.solid().point(end())).transpose()?;
         let csv = CsvWriter::create(dir.join("probes.csv"), COLUMNS)?;
-        Ok(Self { csv, end, impulse: [0.0; 2], samples: Vec::new() })
+        Ok(Self { csv, end, impulse: [0.0; 2], level, samples: Vec::new() })
     }
 
     /// Drag in the last row \[N/m\].
@@ -87,7 +89,7 @@ impl<T: Real> Observer<T> {
             displacement[1],
             force[0],
             force[1],
-            pressure.to_double() / count,
+            pressure.to_double() / count - self.level,
             speed.to_double() / count,
             largest.to_double(),
             count,

@@ -35,12 +35,12 @@ pub(crate) struct Options {
     /// Courant number of the fluid
     #[arg(long, value_name = "C", default_value_t = 0.5)]
     pub(crate) cfl: f64,
-    /// Strength of the particle shifting
-    #[arg(long, value_name = "A", default_value_t = 10.0)]
-    pub(crate) shifting: f64,
-    /// Parts of the shifting in a step; 0 for none
-    #[arg(long, value_name = "K", default_value_t = 1)]
-    pub(crate) parts: u32,
+    /// Effective radius over spacing, at least 3; the flag has to be one spacing less thick
+    #[arg(long, value_name = "RATIO", default_value_t = 4.0)]
+    pub(crate) radius: f64,
+    /// Level of the pressure over that of the mean inflow: keeps the fluid together where vortices would tear it
+    #[arg(long, value_name = "RATIO", default_value_t = 2.0)]
+    pub(crate) level: f64,
     #[command(flatten)]
     pub(crate) common: Common,
 }
@@ -98,16 +98,16 @@ impl Options {
             "the numerical sound must be faster than the water; usual is 10",
         )?;
         Refused::unless(
-            self.shifting.is_finite() && (0.0..=100.0).contains(&self.shifting),
-            "--shifting",
-            self.shifting,
-            "give a strength between 0 and 100, e.g. 10",
+            (3.0..=6.0).contains(&self.radius),
+            "--radius",
+            self.radius,
+            "give a radius of 3 to 6 spacings, e.g. 4",
         )?;
         Refused::unless(
-            self.parts <= 100,
-            "--parts",
-            self.parts,
-            "give the number of parts of a shift, 1 to 5, or 0",
+            (0.0..=50.0).contains(&self.level),
+            "--level",
+            self.level,
+            "give a level of 0 to 50, e.g. 2; with too little of it the fluid tears behind the cylinder",
         )?;
         let across = self.across.unwrap_or((THICKNESS / l0).round() as usize);
         Refused::unless(
@@ -125,8 +125,8 @@ impl Options {
             length: self.length,
             sound_ratio: self.sound_ratio,
             cfl: self.cfl,
-            shifting: self.shifting,
-            parts: self.parts,
+            radius: self.radius,
+            level: self.level,
         })
     }
 }

@@ -62,8 +62,7 @@ pub(crate) fn summary<T: Real>(settings: &Settings, scene: &Channel<T>, observer
     summary.set("length_m", settings.length);
     summary.set("sound_speed_m_s", settings.sound_speed());
     summary.set("cfl", settings.cfl);
-    summary.set("shifting_strength", settings.shifting);
-    summary.set("shifting_parts", settings.parts);
+    summary.set("pressure_level_pa", settings.level());
     summary.set("density_diffusion", config.diffusion.delta().to_double());
     summary.set("radius_ratio", config.radius_ratio.to_double());
     let boundary = scene.fluid().boundary();

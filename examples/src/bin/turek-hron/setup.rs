@@ -4,18 +4,19 @@ use crate::geometry::{self, HEIGHT};
 use crate::reference::Test;
 use mps_coupling::{ElasticBody, Fixed, Scene};
 use mps_examples::Failure;
-use mps_examples::solid::flag::{Clamp, Rubber, THICKNESS, flag};
+use mps_examples::solid::flag::{Clamp, RUBBER, THICKNESS, flag_of};
 use mps_fluid::{
-    Boundary, Fluid, FluidConfig, FluidParticles, Inlet, LaminarViscosity, Opening, Outlet, PressureForm,
-    Shifting, Slip, Tension,
+    Boundary, Fluid, FluidConfig, FluidParticles, Inlet, LaminarViscosity, Opening, Outlet, Slip, Tension,
 };
-use mps_kernel::weights::WendlandC2;
+use mps_kernel::weights::WendlandGradient;
 use mps_kernel::{Real, Vector};
 use mps_neighbors::{Open, Parallel};
-use mps_solid::materials::SaintVenantKirchhoff;
+use mps_solid::materials::{Ambient, SaintVenantKirchhoff};
 
 /// Kinematic viscosity of the fluid \[m^2/s\].
 const VISCOSITY: f64 = 1e-3;
+/// Its density \[kg/m^3\].
+pub(crate) const DENSITY: f64 = 1000.0;
 /// Time in which the inflow comes up to speed \[s\].
 const RAMP: f64 = 2.0;
 /// The cylinder's place among the structures.
@@ -24,9 +25,9 @@ pub(crate) const CYLINDER: usize = 0;
 pub(crate) const FLAG: usize = 1;
 
 /// The channel.
-pub(crate) type Channel<T> = Scene<T, 2, WendlandC2, LaminarViscosity<T>>;
+pub(crate) type Channel<T> = Scene<T, 2, WendlandGradient, LaminarViscosity<T>>;
 /// The elastic flag.
-pub(crate) type Flag<T> = ElasticBody<T, 2, SaintVenantKirchhoff<T>>;
+pub(crate) type Flag<T> = ElasticBody<T, 2, Ambient<SaintVenantKirchhoff<T>, T>>;
 
 /// Everything the command line can change.
 #[derive(Clone, Debug)]
@@ -44,24 +45,26 @@ pub(crate) struct Settings {
     pub(crate) sound_ratio: f64,
     /// Courant number of the fluid.
     pub(crate) cfl: f64,
-    /// Strength of the shifting.
-    pub(crate) shifting: f64,
-    /// Parts of the shifting in a step.
-    pub(crate) parts: u32,
+    /// Effective radius over spacing.
+    pub(crate) radius: f64,
+    /// Level of the pressure over `rho u^2` of the mean inflow.
+    pub(crate) level: f64,
 }
 
 impl Settings {
-    /// Effective radius over spacing.
-    pub(crate) const RADIUS: f64 = 3.0;
-
     /// Layers of points in a wall.
     pub(crate) fn layers(&self) -> usize {
-        Self::RADIUS.ceil() as usize + 1
+        self.radius.ceil() as usize + 1
     }
 
     /// Numerical sound speed \[m/s\]. Beside the cylinder the flow is about twice as fast as on average.
     pub(crate) fn sound_speed(&self) -> f64 {
         self.sound_ratio * 2.0 * self.test.inflow()
+    }
+
+    /// Level of the pressure \[Pa\]: that beyond the outlet. High enough that no vortex pulls.
+    pub(crate) fn level(&self) -> f64 {
+        self.level * DENSITY * self.test.inflow().powi(2)
     }
 }
 
@@ -71,10 +74,13 @@ pub(crate) fn build<T: Real>(settings: &Settings, parallel: &Parallel) -> Result
     let (places, areas) = geometry::cylinder(settings);
     let cylinder = Fixed::new(places, areas, T::of(settings.spacing));
     scene.add_structure(parallel, Box::new(cylinder), Slip::None)?;
-    let rubber = settings.test.rubber();
-    let rigid = Rubber { density: 1000.0, young: 1.0e6, poisson: 0.4 };
-    let flag = flag::<T>(settings.across, Clamp::Arc, &rubber.unwrap_or(rigid), parallel)?;
-    if rubber.is_some() {
+    let rubber = settings.test.rubber().unwrap_or(RUBBER);
+    let material = Ambient {
+        material: SaintVenantKirchhoff::new(T::of(rubber.young), T::of(rubber.poisson))?,
+        pressure: T::of(settings.level()),
+    };
+    let flag = flag_of::<T, _>(settings.across, Clamp::Arc, rubber.density, material, parallel)?;
+    if settings.test.rubber().is_some() {
         scene.add_structure(parallel, Box::new(ElasticBody::new(flag)), Slip::None)?;
     } else {
         let spacing = T::of(THICKNESS / settings.across as f64);
@@ -84,25 +90,27 @@ pub(crate) fn build<T: Real>(settings: &Settings, parallel: &Parallel) -> Result
     Ok(scene)
 }
 
-fn water<T: Real>(settings: &Settings) -> Result<Fluid<T, 2, WendlandC2, LaminarViscosity<T>>, Failure> {
+fn water<T: Real>(
+    settings: &Settings,
+) -> Result<Fluid<T, 2, WendlandGradient, LaminarViscosity<T>>, Failure> {
     let mut config = FluidConfig::water(T::of(settings.spacing), T::of(settings.sound_speed()));
-    config.radius_ratio = T::of(Settings::RADIUS);
+    config.radius_ratio = T::of(settings.radius);
     config.cfl = T::of(settings.cfl);
     config.tension = Tension::Keep;
-    config.pressure_form = PressureForm::Corrected;
     config.collisions = None;
-    config.shifting = (settings.parts > 0)
-        .then(|| Shifting { strength: T::of(settings.shifting), iterations: settings.parts });
+    let level = T::of(settings.level());
+    config.background_pressure = level;
     let particles = FluidParticles::at_rest(geometry::water(settings));
     let mut boundary = Boundary::default();
     boundary.add_wall(&geometry::walls(settings), Slip::None);
     let viscosity = |reference: &_| LaminarViscosity::new::<2>(T::of(VISCOSITY), reference);
-    let mut fluid = Fluid::new(config, WendlandC2, viscosity, Open, particles, boundary)?;
+    let mut fluid = Fluid::new(config, WendlandGradient, viscosity, Open, particles, boundary)?;
     let mean = settings.test.inflow();
     fluid.add_inlet(Inlet::new(across_the_channel(0.0), move |place: &Vector<T, 2>, time: T| {
         T::of(inflow(mean, place[1].to_double(), time.to_double()))
     }))?;
-    fluid.add_outlet(Outlet::absorbing(across_the_channel(settings.length)))?;
+    let outlet = Outlet::absorbing(across_the_channel(settings.length));
+    fluid.add_outlet(Outlet { pressure: level, ..outlet })?;
     Ok(fluid)
 }
 
