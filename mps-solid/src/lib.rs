@@ -58,6 +58,7 @@ pub mod stabilization;
 pub mod supports;
 mod sweeps;
 mod time_step;
+mod undo;
 mod view;
 
 pub use config::SolidConfig;

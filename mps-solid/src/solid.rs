@@ -4,6 +4,7 @@ use crate::kinematics::{corrections, deformation_gradient};
 use crate::momentum::InnerStress;
 use crate::stabilization::bending_coefficient;
 use crate::supports::{Motion, Placement};
+use crate::undo::Before;
 use crate::{ConstitutiveModel, SolidConfig, SolidError, SolidParticles};
 use mps_kernel::weights::WendlandC2;
 use mps_kernel::{Kernel, ParticleStore, Real, Tensor, Vector};
@@ -37,7 +38,7 @@ where
     pub(crate) stale: bool,
     // Working space of a step.
     pub(crate) inner: Vec<InnerStress<T, D>>,
-    start: Vec<Vector<T, D>>,
+    pub(crate) before: Before<T, D, M::History>,
     pub(crate) next: Vec<Vector<T, D>>,
 }
 
@@ -94,7 +95,7 @@ where
             motions: Vec::new(),
             placements: Vec::new(),
             inner: vec![no_stress; len],
-            start: particles.position.clone(),
+            before: Before::with_room(len),
             next: particles.position.clone(),
             stale: true,
             particles,
@@ -106,8 +107,7 @@ where
             config,
             spacing,
         };
-        solid.stability_limit = solid.measure_stability_limit(parallel)?;
-        solid.refresh(parallel)?;
+        solid.remeasure_stability(parallel)?;
         Ok(solid)
     }
 
@@ -119,8 +119,9 @@ where
     /// [`max_step`](Self::max_step); this is not enforced, so that the border can be studied.
     ///
     /// # Errors
-    /// If `dt`, `substeps` or the length of `force` is unusable (nothing has moved then), or if a particle
-    /// is turned inside out or stops being finite (the state is then that of the failing sub-step).
+    /// If `dt`, `substeps` or the length of `force` is unusable, or if a particle is turned inside out or stops being
+    /// finite. The error then has the particle and its place, and the body is as it was before the call, so that a
+    /// caller may write it out, or try again with shorter sub-steps or a smaller load.
     pub fn advance(
         &mut self,
         parallel: &Parallel,
@@ -133,6 +134,21 @@ where
         if self.stale {
             self.refresh(parallel)?;
         }
+        self.keep();
+        match self.move_by(parallel, force, gravity, dt, substeps) {
+            Ok(()) => Ok(()),
+            Err(error) => Err(self.take_back(parallel, error)),
+        }
+    }
+
+    fn move_by(
+        &mut self,
+        parallel: &Parallel,
+        force: &[Vector<T, D>],
+        gravity: &Vector<T, D>,
+        dt: T,
+        substeps: usize,
+    ) -> Result<(), SolidError> {
         let step = dt / T::of(substeps as f64);
         let half = step * T::of(0.5);
         let begin = self.time;
@@ -140,7 +156,6 @@ where
             solid.time = begin + step * T::of(substep as f64);
             solid.place_supports(solid.time);
         };
-        self.start.copy_from_slice(&self.particles.position);
         go(self, 1);
         self.kick_and_drift(parallel, force, gravity, half, step);
         for substep in 1..substeps {
@@ -152,7 +167,7 @@ where
         self.forces(parallel);
         self.kick_and_drift(parallel, force, gravity, half, T::zero());
 
-        let (position, start) = (&self.particles.position, &self.start);
+        let (position, start) = (&self.particles.position, &self.before.position);
         parallel.update(self.mean_velocity.as_mut_slice(), |i, mean| *mean = (position[i] - start[i]) / dt);
         Ok(())
     }
