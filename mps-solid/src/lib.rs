@@ -51,6 +51,7 @@ pub mod matrix;
 pub mod momentum;
 mod particles;
 pub mod point;
+mod preparation;
 pub mod relaxation;
 mod solid;
 pub mod spin;

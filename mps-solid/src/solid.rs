@@ -2,6 +2,7 @@
 
 use crate::kinematics::{corrections, deformation_gradient};
 use crate::momentum::InnerStress;
+use crate::preparation::{check_step, prepare};
 use crate::stabilization::bending_coefficient;
 use crate::supports::{Motion, Placement};
 use crate::undo::Before;
@@ -66,22 +67,8 @@ where
         parallel: &Parallel,
     ) -> Result<Self, SolidError> {
         config.validate()?;
-        let value = density.to_double();
-        if !(value.is_finite() && value > 0.0) {
-            return Err(SolidError::Parameter { name: "density", must: "positive and finite", value });
-        }
+        let pairs = prepare(&mut particles, &spacing, density, &kernel, config.radius_ratio)?;
         let len = particles.len();
-        if len == 0 {
-            return Err(SolidError::Empty);
-        }
-        for i in 0..len {
-            let volume = particles.volume[i];
-            if !(volume.is_finite() && volume > T::zero()) {
-                return Err(SolidError::Volume { id: particles.id[i], volume: volume.to_double() });
-            }
-            particles.mass[i] = volume * density;
-        }
-        let pairs = FrozenPairs::build(&particles.reference, &spacing, &kernel, config.radius_ratio)?;
         let correction = corrections(&particles, &pairs)?;
         let kappa = bending_coefficient(&material, &kernel, &spacing, config.radius_ratio)?
             * config.bending_correction;
@@ -130,7 +117,7 @@ where
         dt: T,
         substeps: usize,
     ) -> Result<(), SolidError> {
-        self.check_step(force, dt, substeps)?;
+        check_step(self.len(), force, dt, substeps)?;
         if self.stale {
             self.refresh(parallel)?;
         }
@@ -181,27 +168,13 @@ where
     /// # Errors
     /// If `dt` or the length of `force` is unusable.
     pub fn kick(&mut self, parallel: &Parallel, force: &[Vector<T, D>], dt: T) -> Result<(), SolidError> {
-        self.check_step(force, dt, 1)?;
+        check_step(self.len(), force, dt, 1)?;
         let mut velocity = core::mem::take(&mut self.particles.velocity);
         let particles = &self.particles;
         parallel.update(velocity.as_mut_slice(), |i, u| {
             *u += particles.only_free(i, force[i] * (dt / particles.mass[i]));
         });
         self.particles.velocity = velocity;
-        Ok(())
-    }
-
-    fn check_step(&self, force: &[Vector<T, D>], dt: T, substeps: usize) -> Result<(), SolidError> {
-        if force.len() != self.len() {
-            return Err(SolidError::Length { name: "force", got: force.len(), particles: self.len() });
-        }
-        if !(dt.is_finite() && dt > T::zero()) {
-            let value = dt.to_double();
-            return Err(SolidError::Parameter { name: "dt", must: "positive and finite", value });
-        }
-        if substeps == 0 {
-            return Err(SolidError::Parameter { name: "substeps", must: "at least 1", value: 0.0 });
-        }
         Ok(())
     }
 
