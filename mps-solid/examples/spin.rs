@@ -4,7 +4,7 @@
 //!
 //! prints the border of the sub-step over `l0/c_p`, and the error of the period of case 1, both as printed (pairs divided by the own
 //! number density) and in the form that keeps energy and momentum, with the weight of the paper and with
-//! Wendland's. With `5 10 20`, the default, it takes about a minute.
+//! Wendland's. With `5 10`, the default, it takes a minute, with 20 ten.
 #![allow(clippy::print_stdout)]
 
 use mps_kernel::weights::{Rational, WendlandC2};
@@ -31,7 +31,7 @@ const FORMS: [(&str, Normalization); 2] =
 fn main() -> Outcome<()> {
     let mut across: Vec<usize> = std::env::args().skip(1).filter_map(|a| a.parse().ok()).collect();
     if across.is_empty() {
-        across = vec![5, 10, 20];
+        across = vec![5, 10];
     }
     println!("border of the sub-step in l0/c_p, free plate of 16x8\n");
     println!("| form | weight | nu = 0 | 0.3 | 0.4 | 0.47 |\n|---|---|---|---|---|---|");
@@ -39,7 +39,9 @@ fn main() -> Outcome<()> {
         borders(name, "paper's", form, Rational)?;
         borders(name, "Wendland C2", form, WendlandC2)?;
     }
-    println!("\nerror of the period of case 1, radius 3, cfl 0.4\n");
+    println!(
+        "\nerror of the period of case 1, radius 3, cfl 0.8, which is below the border of this material\n"
+    );
     let heads: Vec<_> = across.iter().map(|n| format!(" {n} |")).collect();
     println!("| form | weight |{}\n|---|---|{}", heads.concat(), "---|".repeat(across.len()));
     for (name, form) in FORMS {
@@ -110,13 +112,13 @@ fn errors(
     Ok(())
 }
 
-/// Period over `L/c_s` of the plate with `n` particles across, from its first two upward passages.
+/// Period over `L/c_s` of the plate with `n` particles across, from its first passage upwards: it starts undeformed.
 fn period(n: usize, form: Normalization, kernel: impl Kernel<f64>) -> Outcome<f64> {
     let (serial, clamp, upper) = (Parallel::serial(), [Face::lower(0)], V::from(SIZE));
     let counts = body::counts(&V::zeros(), &upper, SIZE[1] / n as f64, &clamp);
     let plate = body::block(V::zeros(), upper, counts, &clamp)?;
     let moduli = Moduli::from_bulk_and_shear(MODULI[0], MODULI[1])?;
-    let config = SpinConfig { normalization: form, ..SpinConfig::default() };
+    let config = SpinConfig { normalization: form, cfl: 0.8, ..SpinConfig::default() };
     let mut solid = SpinSolid::new(plate.particles, plate.spacing, DENSITY, moduli, kernel, config, &serial)?;
     let sound = (MODULI[0] / DENSITY).sqrt();
     let along: Vec<f64> = solid.particles().reference_positions().iter().map(|x| x.x / SIZE[0]).collect();
@@ -126,21 +128,18 @@ fn period(n: usize, form: Normalization, kernel: impl Kernel<f64>) -> Outcome<f6
     let end: Vec<usize> = (0..along.len()).filter(|&i| along[i] > 1.0 - 0.75 / (10 * n) as f64).collect();
     let none = vec![V::zeros(); along.len()];
     let dt = 4.0 * solid.max_step(&serial);
-    let (mut time, mut before, mut upward) = (0.0, 0.0, Vec::new());
-    while upward.len() < 2 {
+    let (mut time, mut before) = (0.0, 0.0);
+    while time * sound / SIZE[0] < 2.0 * PERIOD {
         solid.advance(&serial, &none, &V::zeros(), dt, 4)?;
         let particles = solid.particles();
         let now: f64 =
             end.iter().map(|&i| particles.positions()[i].y - particles.reference_positions()[i].y).sum();
         if before < 0.0 && now >= 0.0 {
-            upward.push(time + dt * before / (before - now));
-        }
-        if time * sound / SIZE[0] > 4.0 * PERIOD {
-            return Err("the plate does not swing".into());
+            return Ok((time + dt * before / (before - now)) * sound / SIZE[0]);
         }
         (time, before) = (time + dt, now);
     }
-    Ok(0.5 * upward[1] * sound / SIZE[0])
+    Err("the plate does not swing".into())
 }
 
 /// Eq. 51 divided by its value at the tip.

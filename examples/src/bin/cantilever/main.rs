@@ -7,7 +7,7 @@ mod report;
 use clap::Parser;
 use mps_examples::solid::plate::{LENGTH, PERIOD, THICKNESS, moduli, plate, unit_of_time};
 use mps_examples::solid::{Look, Motion, Pictures};
-use mps_examples::{Failure, Precision, Recorded, conclude, exit_code, record};
+use mps_examples::{Failure, Precision, conclude, exit_code, record};
 use mps_io::{Summary, View};
 use mps_kernel::{Real, Vector};
 use mps_solid::ConstitutiveModel;

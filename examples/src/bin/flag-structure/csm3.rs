@@ -5,7 +5,7 @@ use crate::{Settings, look, plots};
 use mps_examples::series::{Oscillation, oscillation};
 use mps_examples::solid::flag::{CSM3, CSM3_FIRST, CSM3_FIRST_END, SOURCE, end, flag, gravity};
 use mps_examples::solid::{Motion, Pictures, Sample};
-use mps_examples::{Failure, Recorded, conclude, enter_results, record};
+use mps_examples::{Failure, conclude, enter_results, record};
 use mps_io::{Metric, Summary};
 use mps_kernel::Real;
 use std::path::Path;
