@@ -128,10 +128,13 @@ fn pull(law: &Law<f64>, sides: Sides, stretch: f64, cfl: f64, remeasure: bool) -
             solid.remeasure_stability(&serial)?;
         }
         let substeps = (interval / solid.max_step(&serial)).ceil() as usize;
-        let tries = if remeasure { 4 } else { 1 };
-        (0..tries).fold(Err(SolidError::Empty), |done, k| {
-            done.or_else(|_| solid.advance(&serial, &rest, &zero, interval, substeps << k))
-        })?;
+        let mut done = solid.advance(&serial, &rest, &zero, interval, substeps);
+        for k in 1..=3 {
+            if remeasure && done.is_err() {
+                done = solid.advance(&serial, &rest, &zero, interval, substeps << k);
+            }
+        }
+        done?;
         let energy = solid.energy(&serial, &zero).total();
         if round == rounds / 3 {
             start = energy;
