@@ -110,7 +110,7 @@ fn the_printed_scheme_swings_too_fast() {
         (time, before) = (time + dt, now);
     };
     let error = 2.0 * half * sound / 0.2 / 72.78 - 1.0;
-    assert!((-0.08..-0.03).contains(&error), "{error}");
+    assert!((-0.06..-0.04).contains(&error), "{error}");
 }
 
 fn built(particles: SolidParticles<f64, 2>, config: SpinConfig<f64>) -> Result<SpinSolid<f64>, SolidError> {

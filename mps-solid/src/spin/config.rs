@@ -18,7 +18,8 @@ pub enum Normalization {
 pub struct SpinConfig<T> {
     /// Effective radius in spacings \[-\]. Default 3, the paper's.
     pub radius_ratio: T,
-    /// Sub-step in units of `l0/(c_p + v)` \[-\]. Default 0.4; above about 0.5 the spins are unstable.
+    /// Sub-step in units of `l0/(c_p + v)` \[-\]. Default 0.4. With the default radius the border is at 0.56 for Poisson's
+    /// ratio 0, 0.75 for 0.3 and 0.98 for 0.4 (`docs/solid.md`, section 11).
     pub cfl: T,
     /// Which number density a pair is divided by.
     pub normalization: Normalization,
