@@ -2,10 +2,14 @@
 //!
 //! `cargo run --release -p mps-solid --example cantilever_convergence -- [particles across ...]`
 //!
-//! prints the table of `docs/solid.md`: period and amplitude against converged two-dimensional
-//! elasticity, the observed order, the energy span and the speed. The environment may set `POISSON` to
+//! prints the tables of section 3 of `docs/solid.md`: period and amplitude against converged two-dimensional
+//! elasticity, the observed order, the energy span and the speed.
+//!
+//! This is the workbench of the discretisation, and needs this crate only. The environment may set `POISSON` to
 //! 0, 0.47 or 0.49 for another material with a known answer, and `RADIUS`, `CFL`, `BENDING` for the
-//! parameters of the same names.
+//! parameters of the same names. The case itself, with its parameters fixed, its curves and pictures, is the program
+//! `cantilever` of the examples; its `--convergence` has the corotational law of the paper, this one Saint Venant-Kirchhoff's,
+//! which is that of the finite elements.
 #![allow(clippy::print_stdout)]
 
 use mps_kernel::{Vector, weights::WendlandC2};

@@ -49,18 +49,20 @@ impl<T: Real, const D: usize> Body<T, D> {
     }
 
     /// Lets the particles on a clamped face slide along it: held along its normal only, unless they lie on
-    /// another clamped face. What a plane of symmetry or a roller does.
+    /// another clamped face. What a plane of symmetry or a roller does. Where two such faces meet both normals are
+    /// held, in whatever order the faces were named.
     pub fn slide(&mut self, face: Face) {
         self.clamped.retain(|other| *other != face);
         self.sliding.push(face);
-        let Self { particles, clamped, lower, upper, .. } = self;
-        let on = |x: &Vector<T, D>, face: Face| {
+        let Self { particles, clamped, sliding, lower, upper, .. } = self;
+        let on = |x: &Vector<T, D>, face: &Face| {
             x[face.axis] == if face.upper { upper[face.axis] } else { lower[face.axis] }
         };
         for i in 0..particles.reference.len() {
             let x = particles.reference[i];
-            if on(&x, face) && !clamped.iter().any(|&other| on(&x, other)) {
-                (0..D).filter(|&axis| axis != face.axis).for_each(|axis| particles.hold(i, axis, false));
+            if on(&x, &face) && !clamped.iter().any(|other| on(&x, other)) {
+                let normal = |axis| sliding.iter().any(|other| other.axis == axis && on(&x, other));
+                (0..D).filter(|&axis| !normal(axis)).for_each(|axis| particles.hold(i, axis, false));
             }
         }
     }
@@ -214,6 +216,20 @@ mod tests {
         assert_relative_eq!(body.particles.volume.iter().sum::<f64>(), 1.0, max_relative = 1e-14);
         let x: Vec<_> = body.particles.reference.iter().map(|x| x.x).collect();
         assert_relative_eq!(x.iter().copied().fold(0.0, f64::max), 1.0, max_relative = 1e-14);
+    }
+
+    #[test]
+    fn where_two_rollers_meet_both_normals_are_held() {
+        let faces = [Face::lower(0), Face::lower(1)];
+        for order in [[0, 1], [1, 0]] {
+            let mut body = block(Vector::<f64, 2>::zeros(), Vector::repeat(1.0), [4, 4], &faces).unwrap();
+            order.iter().for_each(|&k| body.slide(faces[k]));
+            for (i, x) in body.particles.reference.iter().enumerate() {
+                for axis in 0..2 {
+                    assert_eq!(body.particles.is_held(i, axis), x[axis] == 0.0, "{x} along {axis}");
+                }
+            }
+        }
     }
 
     #[test]

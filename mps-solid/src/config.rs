@@ -15,8 +15,9 @@ pub struct SolidConfig<T> {
     /// Sub-step as a fraction of the stability limit of the body \[-\].
     ///
     /// Default 0.8. The limit is measured when the solid is built (see `docs/solid.md`), so that the
-    /// number means the same for every material, dimension and thickness. Lower it if particles turn
-    /// inside out under strong compression, where the material is stiffer than at rest.
+    /// number means the same for every material, dimension and thickness. For large strain, where the material is
+    /// stiffer than at rest, [measure again](crate::Solid::remeasure_stability) or lower it: rubber at four times its
+    /// length needs 0.2.
     pub cfl: T,
     /// Multiple of the derived bending correction \[-\], see [`stabilization`](crate::stabilization).
     ///

@@ -54,6 +54,16 @@ pub enum SolidError {
         /// Number of neighbours it has.
         neighbors: usize,
     },
+    /// A particle has no reference neighbour at all.
+    #[error(
+        "particle {id} at {position:?} has no neighbour in the undeformed body: check the spacing against the particle distance"
+    )]
+    Alone {
+        /// Identity of the particle.
+        id: u32,
+        /// Reference position \[m\].
+        position: Vec<f64>,
+    },
     /// A slice given to the solid does not fit its number of particles.
     #[error("{name} has {got} entries, but the solid has {particles} particles")]
     Length {

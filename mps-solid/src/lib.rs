@@ -51,6 +51,7 @@ pub mod matrix;
 pub mod momentum;
 mod particles;
 pub mod point;
+mod preparation;
 pub mod relaxation;
 mod solid;
 pub mod spin;
@@ -58,6 +59,7 @@ pub mod stabilization;
 pub mod supports;
 mod sweeps;
 mod time_step;
+mod undo;
 mod view;
 
 pub use config::SolidConfig;

@@ -2,8 +2,10 @@
 
 use crate::kinematics::{corrections, deformation_gradient};
 use crate::momentum::InnerStress;
+use crate::preparation::{check_step, prepare};
 use crate::stabilization::bending_coefficient;
 use crate::supports::{Motion, Placement};
+use crate::undo::Before;
 use crate::{ConstitutiveModel, SolidConfig, SolidError, SolidParticles};
 use mps_kernel::weights::WendlandC2;
 use mps_kernel::{Kernel, ParticleStore, Real, Tensor, Vector};
@@ -37,7 +39,7 @@ where
     pub(crate) stale: bool,
     // Working space of a step.
     pub(crate) inner: Vec<InnerStress<T, D>>,
-    start: Vec<Vector<T, D>>,
+    pub(crate) before: Before<T, D, M::History>,
     pub(crate) next: Vec<Vector<T, D>>,
 }
 
@@ -65,22 +67,8 @@ where
         parallel: &Parallel,
     ) -> Result<Self, SolidError> {
         config.validate()?;
-        let value = density.to_double();
-        if !(value.is_finite() && value > 0.0) {
-            return Err(SolidError::Parameter { name: "density", must: "positive and finite", value });
-        }
+        let pairs = prepare(&mut particles, &spacing, density, &kernel, config.radius_ratio)?;
         let len = particles.len();
-        if len == 0 {
-            return Err(SolidError::Empty);
-        }
-        for i in 0..len {
-            let volume = particles.volume[i];
-            if !(volume.is_finite() && volume > T::zero()) {
-                return Err(SolidError::Volume { id: particles.id[i], volume: volume.to_double() });
-            }
-            particles.mass[i] = volume * density;
-        }
-        let pairs = FrozenPairs::build(&particles.reference, &spacing, &kernel, config.radius_ratio)?;
         let correction = corrections(&particles, &pairs)?;
         let kappa = bending_coefficient(&material, &kernel, &spacing, config.radius_ratio)?
             * config.bending_correction;
@@ -94,7 +82,7 @@ where
             motions: Vec::new(),
             placements: Vec::new(),
             inner: vec![no_stress; len],
-            start: particles.position.clone(),
+            before: Before::with_room(len),
             next: particles.position.clone(),
             stale: true,
             particles,
@@ -106,8 +94,7 @@ where
             config,
             spacing,
         };
-        solid.stability_limit = solid.measure_stability_limit(parallel)?;
-        solid.refresh(parallel)?;
+        solid.remeasure_stability(parallel)?;
         Ok(solid)
     }
 
@@ -119,8 +106,9 @@ where
     /// [`max_step`](Self::max_step); this is not enforced, so that the border can be studied.
     ///
     /// # Errors
-    /// If `dt`, `substeps` or the length of `force` is unusable (nothing has moved then), or if a particle
-    /// is turned inside out or stops being finite (the state is then that of the failing sub-step).
+    /// If `dt`, `substeps` or the length of `force` is unusable, or if a particle is turned inside out or stops being
+    /// finite. The error then has the particle and its place, and the body is as it was before the call, so that a
+    /// caller may write it out, or try again with shorter sub-steps or a smaller load.
     pub fn advance(
         &mut self,
         parallel: &Parallel,
@@ -129,10 +117,25 @@ where
         dt: T,
         substeps: usize,
     ) -> Result<(), SolidError> {
-        self.check_step(force, dt, substeps)?;
+        check_step(self.len(), force, dt, substeps)?;
         if self.stale {
             self.refresh(parallel)?;
         }
+        self.keep();
+        match self.move_by(parallel, force, gravity, dt, substeps) {
+            Ok(()) => Ok(()),
+            Err(error) => Err(self.take_back(parallel, error)),
+        }
+    }
+
+    fn move_by(
+        &mut self,
+        parallel: &Parallel,
+        force: &[Vector<T, D>],
+        gravity: &Vector<T, D>,
+        dt: T,
+        substeps: usize,
+    ) -> Result<(), SolidError> {
         let step = dt / T::of(substeps as f64);
         let half = step * T::of(0.5);
         let begin = self.time;
@@ -140,7 +143,6 @@ where
             solid.time = begin + step * T::of(substep as f64);
             solid.place_supports(solid.time);
         };
-        self.start.copy_from_slice(&self.particles.position);
         go(self, 1);
         self.kick_and_drift(parallel, force, gravity, half, step);
         for substep in 1..substeps {
@@ -152,7 +154,7 @@ where
         self.forces(parallel);
         self.kick_and_drift(parallel, force, gravity, half, T::zero());
 
-        let (position, start) = (&self.particles.position, &self.start);
+        let (position, start) = (&self.particles.position, &self.before.position);
         parallel.update(self.mean_velocity.as_mut_slice(), |i, mean| *mean = (position[i] - start[i]) / dt);
         Ok(())
     }
@@ -166,27 +168,13 @@ where
     /// # Errors
     /// If `dt` or the length of `force` is unusable.
     pub fn kick(&mut self, parallel: &Parallel, force: &[Vector<T, D>], dt: T) -> Result<(), SolidError> {
-        self.check_step(force, dt, 1)?;
+        check_step(self.len(), force, dt, 1)?;
         let mut velocity = core::mem::take(&mut self.particles.velocity);
         let particles = &self.particles;
         parallel.update(velocity.as_mut_slice(), |i, u| {
             *u += particles.only_free(i, force[i] * (dt / particles.mass[i]));
         });
         self.particles.velocity = velocity;
-        Ok(())
-    }
-
-    fn check_step(&self, force: &[Vector<T, D>], dt: T, substeps: usize) -> Result<(), SolidError> {
-        if force.len() != self.len() {
-            return Err(SolidError::Length { name: "force", got: force.len(), particles: self.len() });
-        }
-        if !(dt.is_finite() && dt > T::zero()) {
-            let value = dt.to_double();
-            return Err(SolidError::Parameter { name: "dt", must: "positive and finite", value });
-        }
-        if substeps == 0 {
-            return Err(SolidError::Parameter { name: "substeps", must: "at least 1", value: 0.0 });
-        }
         Ok(())
     }
 

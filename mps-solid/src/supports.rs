@@ -64,12 +64,12 @@ pub(crate) struct Held<'a, T: Real, const D: usize> {
 
 impl<T: Real, const D: usize> Held<'_, T, D> {
     /// Place and velocity of a particle with held axes after `drift` seconds, from those it would have if
-    /// it were free. `x` is where it was.
+    /// it were free. `x` and `u` are what they were. A kick without a drift leaves a support its speed.
     #[inline]
     pub(crate) fn hold(
         &self,
         i: usize,
-        x: &Vector<T, D>,
+        (x, u): (&Vector<T, D>, &Vector<T, D>),
         mut free: (Vector<T, D>, Vector<T, D>),
         drift: T,
     ) -> (Vector<T, D>, Vector<T, D>) {
@@ -78,11 +78,11 @@ impl<T: Real, const D: usize> Held<'_, T, D> {
         let moves = group != 0 && drift > T::zero();
         for axis in (0..D).filter(|axis| self.axes[i] & (1 << axis) != 0) {
             free.0[axis] = if moves { target[axis] } else { x[axis] };
-            if moves {
-                free.1[axis] = (target[axis] - x[axis]) / drift;
-            } else if group == 0 {
-                free.1[axis] = T::zero();
-            }
+            free.1[axis] = match group {
+                0 => T::zero(),
+                _ if moves => (target[axis] - x[axis]) / drift,
+                _ => u[axis],
+            };
         }
         free
     }

@@ -80,10 +80,14 @@ where
         let (force, mass) = (&*force, &*mass);
         let supports = Held { reference, axes: held, group, placements: &self.placements };
         parallel.update((position.as_mut_slice(), velocity.as_mut_slice()), |i, (x, u)| {
+            let before = *u;
             *u = (*u + ((force[i] + external[i]) / mass[i] + gravity) * kick) * damped;
             let there = *x + *u * drift;
-            (*x, *u) =
-                if supports.axes[i] == 0 { (there, *u) } else { supports.hold(i, x, (there, *u), drift) };
+            (*x, *u) = if supports.axes[i] == 0 {
+                (there, *u)
+            } else {
+                supports.hold(i, (x, &before), (there, *u), drift)
+            };
         });
     }
 
@@ -102,11 +106,12 @@ where
         let supports = Held { reference, axes: held, group, placements: &self.placements };
         let here = &*position;
         parallel.update((velocity.as_mut_slice(), self.next.as_mut_slice()), |i, (u, next)| {
+            let before = *u;
             let force = internal_force(pairs.row(i), i, here, inner);
             *u = (*u + ((force + external[i]) / mass[i] + gravity) * step) * damped;
             *next = here[i] + *u * step;
             if supports.axes[i] != 0 {
-                (*next, *u) = supports.hold(i, &here[i], (*next, *u), step);
+                (*next, *u) = supports.hold(i, (&here[i], &before), (*next, *u), step);
             }
         });
         core::mem::swap(position, &mut self.next);

@@ -4,7 +4,8 @@
 //! A formula `C l0/c_p` (eq. 47 of Tavakoli et al. 2026 with its units put right) must guess how that
 //! frequency depends on dimension, Poisson's ratio, radius and thickness; measured, the border `C` lies
 //! between 0.63 and 1.01 (table in `docs/solid.md`). A power iteration at set-up finds it instead, for the
-//! price of at most two hundred force evaluations. Under motion
+//! price of at most two hundred force evaluations, and again where a body has changed its shape
+//! ([`Solid::remeasure_stability`]). Under motion
 //!
 //! ```text
 //! dt = cfl * (2/omega_max) * c_p/(c_p + v),    v = max |u_i|
@@ -37,9 +38,26 @@ where
         self.config.cfl * self.stability_limit * self.wave_speed / (self.wave_speed + fastest)
     }
 
-    /// `2/omega_max` \[s\] about the reference positions. Leaves positions and history as new.
-    pub(crate) fn measure_stability_limit(&mut self, parallel: &Parallel) -> Result<T, SolidError> {
-        let start = self.particles.position.clone();
+    /// Measures [`stability_limit`](Self::stability_limit), `2/omega_max` \[s\], about the present positions instead of
+    /// the undeformed ones, and returns it; [`max_step`](Self::max_step) rests on it from now on.
+    ///
+    /// For a body that is brought far from its shape: the limit falls where a material stiffens (rubber that is
+    /// stretched to four times its length, or flattened) and rises where it softens. Costs as much as a few hundred
+    /// sub-steps at most, so it is not done by itself. Positions, velocities and the memory of the material are untouched.
+    ///
+    /// # Errors
+    /// If a particle is turned inside out or so close to it that a hundredth of a spacing brings it there.
+    pub fn remeasure_stability(&mut self, parallel: &Parallel) -> Result<T, SolidError> {
+        let (there, history) = (self.particles.position.clone(), self.history.clone());
+        let limit = self.measure_about(parallel, &there);
+        (self.particles.position, self.history) = (there, history);
+        self.refresh(parallel)?;
+        self.stability_limit = limit?;
+        Ok(self.stability_limit)
+    }
+
+    /// `2/omega_max` \[s\] about `there`. Leaves the positions of the last trial behind.
+    fn measure_about(&mut self, parallel: &Parallel, there: &[Vector<T, D>]) -> Result<T, SolidError> {
         let smallest = self.spacing.iter().fold(self.spacing[0], |least, l| least.min(*l));
         let mut trial = self.noise();
         let mut square = T::zero();
@@ -50,8 +68,8 @@ where
             }
             let scale = smallest * T::of(TRIAL) / largest;
             trial.iter_mut().for_each(|d| *d *= scale);
-            let forward = self.forces_at(parallel, &trial, T::one())?;
-            let backward = self.forces_at(parallel, &trial, -T::one())?;
+            let forward = self.forces_at(parallel, there, &trial, T::one())?;
+            let backward = self.forces_at(parallel, there, &trial, -T::one())?;
 
             // Rayleigh quotient and next vector of M^-1 K, with the mass as the inner product.
             let (mut potential, mut inertia) = (T::zero(), T::zero());
@@ -67,8 +85,6 @@ where
                 break;
             }
         }
-        self.particles.position = start;
-        self.history.iter_mut().for_each(|history| *history = M::History::default());
         // A body that cannot move (all clamped) is stable for any step: give it that of a wave.
         let limit = T::of(2.0) / square.sqrt();
         Ok(if limit.is_finite() { limit } else { smallest / self.wave_speed })
@@ -77,11 +93,12 @@ where
     fn forces_at(
         &mut self,
         parallel: &Parallel,
+        there: &[Vector<T, D>],
         trial: &[Vector<T, D>],
         sign: T,
     ) -> Result<Vec<Vector<T, D>>, SolidError> {
         let particles = &mut self.particles;
-        for (x, (x0, d)) in particles.position.iter_mut().zip(particles.reference.iter().zip(trial)) {
+        for (x, (x0, d)) in particles.position.iter_mut().zip(there.iter().zip(trial)) {
             *x = x0 + d * sign;
         }
         self.refresh(parallel)?;

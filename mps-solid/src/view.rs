@@ -91,8 +91,8 @@ where
         self.wave_speed
     }
 
-    /// Largest stable sub-step at rest \[s\], `2/omega_max`, before the factor
-    /// [`cfl`](SolidConfig::cfl).
+    /// Largest stable sub-step \[s\], `2/omega_max`, before the factor [`cfl`](SolidConfig::cfl): of the undeformed
+    /// body, or of the state in which it was [measured last](Solid::remeasure_stability).
     pub fn stability_limit(&self) -> T {
         self.stability_limit
     }

@@ -43,7 +43,7 @@ fn a_point_knows_linear_fields_and_hands_on_force_and_moment() {
 }
 
 /// Stretched by a traction, held by rollers at two faces: a uniform state of the neo-Hookean law solves
-/// `P_11 = t`, `P_22 = 0`. What is missing of it comes from the corners and falls with the spacing.
+/// `P_11 = t`, `P_22 = 0`. What is missing of it comes from the free corner and falls with the spacing.
 #[test]
 fn a_square_on_rollers_stretches_uniformly() {
     let mut errors = Vec::new();
@@ -70,7 +70,7 @@ fn a_square_on_rollers_stretches_uniformly() {
         errors.push((p - Tensor::<f64, 2>::new(0.4, 0.0, 0.0, 0.0)).norm() / 0.4);
     }
     eprintln!("{errors:?}");
-    assert!(errors[0] < 0.01 && errors[1] < 0.4 * errors[0] && errors[2] < 0.4 * errors[1], "{errors:?}");
+    assert!(errors[0] < 2e-4 && errors[1] < 0.4 * errors[0] && errors[2] < 0.4 * errors[1], "{errors:?}");
 }
 
 /// A dead load turns with nothing, a pressure turns with the surface: a body turned by 90 degrees is pushed

@@ -75,6 +75,22 @@ fn shape_of(k: f64, x: f64) -> f64 {
     (k * x).cos() + k.tan() * (k * x).sin()
 }
 
+/// What pulls at a support does not change its speed: it would count as energy and shorten the step.
+#[test]
+fn a_moving_support_has_the_speed_of_its_motion_whatever_pulls_at_it() {
+    let serial = Parallel::serial();
+    let mut solid = bar([16, 4], &[Face::lower(0)], &[], 0.3);
+    solid.move_supports(|_| true, |t| Placement::shifted(V::new(0.01 * t, 0.0))).unwrap();
+    let pull = vec![V::new(1e-4, 2e-4); solid.len()];
+    let dt = solid.max_step(&serial);
+    for substeps in [1, 3] {
+        solid.advance(&serial, &pull, &V::new(0.0, -0.01), dt * substeps as f64, substeps).unwrap();
+        for i in (0..solid.len()).filter(|&i| solid.particles().is_clamped(i)) {
+            assert_relative_eq!(solid.velocities()[i], V::new(0.01, 0.0), epsilon = 1e-12);
+        }
+    }
+}
+
 /// Turned slowly by a full turn at its clamp, the bar comes back without a strain.
 #[test]
 fn a_bar_turned_by_its_clamp_comes_round() {

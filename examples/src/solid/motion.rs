@@ -1,7 +1,7 @@
 //! The motion of a body on its own, recorded at even intervals.
 
 use super::Pictures;
-use crate::{Failure, Recorded};
+use crate::{Cost, Failure, Recorded};
 use mps_io::CsvWriter;
 use mps_kernel::{Real, Vector};
 use mps_neighbors::Parallel;
@@ -98,6 +98,17 @@ impl<'a, T: Real, M: ConstitutiveModel<T, 2>> Motion<'a, T, M> {
     /// The record so far.
     pub fn samples(&self) -> &[Sample] {
         &self.samples
+    }
+
+    /// What the motion has cost, with the `seconds` that its steps took.
+    pub fn cost(&self, seconds: f64) -> Cost {
+        Cost {
+            threads: self.parallel.threads(),
+            steps: self.steps(),
+            seconds,
+            simulated: self.time(),
+            particles: self.solid.len(),
+        }
     }
 
     /// Length of a sub-step \[s\].

@@ -14,42 +14,20 @@
 //!
 //! This is here to be compared with [`Solid`](crate::Solid), not to be used: it converges with first order only, and
 //! because a pair divides by `n_i` from one end and by `n_j` from the other, it keeps neither momentum nor
-//! energy at surfaces. [`Normalization::Shared`] is the same scheme as the gradient of one energy, which keeps both.
+//! energy at surfaces. [`Normalization::Shared`] is the same scheme as the gradient of one energy, which keeps both and is stiffer
+//! still. The example `spin` measures both.
 //! In two dimensions, as printed.
 
+mod config;
 mod forces;
 
+pub use config::{Normalization, SpinConfig};
+
 use crate::materials::Moduli;
+use crate::preparation::{check_step, prepare};
 use crate::{SolidError, SolidParticles};
 use mps_kernel::{Kernel, ParticleStore, Real, Vector};
 use mps_neighbors::{FrozenPairs, Parallel};
-
-/// Which number density a pair is divided by.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Normalization {
-    /// That of the particle whose rate is summed, as printed.
-    #[default]
-    Own,
-    /// Half from either end: the forces are then the gradient of an energy.
-    Shared,
-}
-
-/// Parameters of the printed scheme.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpinConfig<T> {
-    /// Effective radius in spacings \[-\]. Default 3, the paper's.
-    pub radius_ratio: T,
-    /// Sub-step in units of `l0/(c_p + v)` \[-\]. Default 0.4; above about 0.5 the spins are unstable.
-    pub cfl: T,
-    /// Which number density a pair is divided by.
-    pub normalization: Normalization,
-}
-
-impl<T: Real> Default for SpinConfig<T> {
-    fn default() -> Self {
-        Self { radius_ratio: T::of(3.0), cfl: T::of(0.4), normalization: Normalization::Own }
-    }
-}
 
 /// Energy of a [`SpinSolid`] \[J per metre of depth\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -80,7 +58,7 @@ impl<T: Real> SpinSolid<T> {
     /// Builds the body, see [`Solid::new`](crate::Solid::new).
     ///
     /// # Errors
-    /// If there is no particle, a number is out of range or two particles coincide.
+    /// If there is no particle, a number is out of range, two particles coincide or one has no neighbour.
     pub fn new(
         mut particles: SolidParticles<T, 2>,
         spacing: Vector<T, 2>,
@@ -90,21 +68,13 @@ impl<T: Real> SpinSolid<T> {
         config: SpinConfig<T>,
         parallel: &Parallel,
     ) -> Result<Self, SolidError> {
-        let refuse = |name, must, value: T| SolidError::Parameter { name, must, value: value.to_double() };
-        if !(density.is_finite() && density > T::zero()) {
-            return Err(refuse("density", "positive and finite", density));
-        }
-        if !(config.cfl > T::zero() && config.cfl <= T::one()) {
-            return Err(refuse("cfl", "positive and at most 1 (usual: 0.4)", config.cfl));
-        }
+        config.validate()?;
+        let pairs = prepare(&mut particles, &spacing, density, &kernel, config.radius_ratio)?;
         let len = particles.len();
-        if len == 0 {
-            return Err(SolidError::Empty);
+        if let Some(i) = (0..len).find(|&i| pairs.row(i).is_empty()) {
+            let position = particles.reference[i].iter().map(|x| x.to_double()).collect();
+            return Err(SolidError::Alone { id: particles.id[i], position });
         }
-        for (mass, volume) in particles.mass.iter_mut().zip(&particles.volume) {
-            *mass = *volume * density;
-        }
-        let pairs = FrozenPairs::build(&particles.reference, &spacing, &kernel, config.radius_ratio)?;
         let density_of =
             |i| pairs.row(i).iter().fold(T::zero(), |n, pair| n + pair.over_r2 * pair.r0_ij.norm_squared());
         let zeros = vec![T::zero(); len];
@@ -129,7 +99,7 @@ impl<T: Real> SpinSolid<T> {
     /// \[N\] and gravity \[m/s^2\].
     ///
     /// # Errors
-    /// If the length of `force` is wrong or a place is no longer finite.
+    /// If `dt`, `substeps` or the length of `force` is unusable, or a place is no longer finite.
     pub fn advance(
         &mut self,
         parallel: &Parallel,
@@ -138,13 +108,10 @@ impl<T: Real> SpinSolid<T> {
         dt: T,
         substeps: usize,
     ) -> Result<(), SolidError> {
-        if force.len() != self.particles.len() {
-            let (got, particles) = (force.len(), self.particles.len());
-            return Err(SolidError::Length { name: "force", got, particles });
-        }
-        let step = dt / T::of(substeps.max(1) as f64);
+        check_step(self.particles.len(), force, dt, substeps)?;
+        let step = dt / T::of(substeps as f64);
         let half = step * T::of(0.5);
-        for _ in 0..substeps.max(1) {
+        for _ in 0..substeps {
             self.kick(parallel, force, gravity, half);
             self.drift(parallel, step);
             self.rates(parallel);

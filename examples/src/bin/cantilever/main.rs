@@ -7,7 +7,7 @@ mod report;
 use clap::Parser;
 use mps_examples::solid::plate::{LENGTH, PERIOD, THICKNESS, moduli, plate, unit_of_time};
 use mps_examples::solid::{Look, Motion, Pictures};
-use mps_examples::{Cost, Failure, Precision, Recorded, conclude, exit_code, record};
+use mps_examples::{Failure, Precision, conclude, exit_code, record};
 use mps_io::{Summary, View};
 use mps_kernel::{Real, Vector};
 use mps_solid::ConstitutiveModel;
@@ -74,13 +74,7 @@ fn run<T: Real, M: ConstitutiveModel<T, 2>>(
 
     // Whatever happened, what has been computed is kept.
     report::plot(dir, across, motion.samples())?;
-    let cost = Cost {
-        threads: parallel.threads(),
-        steps: motion.steps(),
-        seconds,
-        simulated: motion.time(),
-        particles: motion.solid().len(),
-    };
+    let cost = motion.cost(seconds);
     let summary = report::summary(options, across, &motion, &cost, done.as_ref().err());
     Ok((summary, done))
 }

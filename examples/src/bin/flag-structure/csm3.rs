@@ -5,7 +5,7 @@ use crate::{Settings, look, plots};
 use mps_examples::series::{Oscillation, oscillation};
 use mps_examples::solid::flag::{CSM3, CSM3_FIRST, CSM3_FIRST_END, RUBBER, SOURCE, end, flag, gravity};
 use mps_examples::solid::{Motion, Pictures, Sample};
-use mps_examples::{Cost, Failure, Recorded, conclude, enter_results, record};
+use mps_examples::{Failure, conclude, enter_results, record};
 use mps_io::{Metric, Summary};
 use mps_kernel::Real;
 use std::path::Path;
@@ -32,14 +32,7 @@ pub(crate) fn run<T: Real>(options: &Options, settings: &Settings, dir: &Path) -
     let mut summary = options.summary(settings, motion.solid());
     summary.set("end_time_s", settings.end_time);
     summary.set("substep_s", motion.substep());
-    let cost = Cost {
-        threads: parallel.threads(),
-        steps: motion.steps(),
-        seconds,
-        simulated: motion.time(),
-        particles: motion.solid().len(),
-    };
-    cost.enter(&mut summary, &options.common, done.as_ref().err());
+    motion.cost(seconds).enter(&mut summary, &options.common, done.as_ref().err());
     enter(&mut summary, motion.samples());
     conclude(dir, &summary, &options.common, done.is_ok())?;
     done
