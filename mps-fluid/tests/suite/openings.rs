@@ -45,14 +45,15 @@ fn channel<V: Viscosity<f64, 2>>(
     fluid
 }
 
-/// Largest of `value` over the particles in the channel.
-fn largest<V: Viscosity<f64, 2>>(
+/// Root mean square of `value` over the particles in the channel.
+fn typical<V: Viscosity<f64, 2>>(
     fluid: &Fluid<f64, 2, WendlandGradient, V>,
     value: impl Fn(&Vector<f64, 2>, &Vector<f64, 2>, f64) -> f64,
 ) -> f64 {
     let FluidParticles { position, velocity, pressure, .. } = fluid.particles();
-    let inside = (0..position.len()).filter(|i| position[*i][0] < LENGTH);
-    inside.map(|i| value(&position[i], &velocity[i], pressure[i] - LEVEL).abs()).fold(0.0, f64::max)
+    let inside: Vec<usize> = (0..position.len()).filter(|i| position[*i][0] < LENGTH).collect();
+    let squares = inside.iter().map(|i| value(&position[*i], &velocity[*i], pressure[*i] - LEVEL).powi(2));
+    (squares.sum::<f64>() / inside.len() as f64).sqrt()
 }
 
 /// Without friction at its walls the channel moves as one body, and its pressure is what accelerates it. (Its viscosity damps what the
@@ -71,15 +72,15 @@ fn a_plug_speeds_up_and_flows_without_pulses() {
     while fluid.time() < 5.0 {
         fluid.step(&parallel).unwrap();
         let t = fluid.time();
-        off_speed = off_speed.max(largest(&fluid, |_, u, _| (u - Vector::from([speed(t), 0.0])).norm()));
+        off_speed = off_speed.max(typical(&fluid, |_, u, _| (u - Vector::from([speed(t), 0.0])).norm()));
         let expected = |x: f64| if t < RAMP { 1000.0 * push(t) * (LENGTH - x) } else { 0.0 };
-        off_pressure = off_pressure.max(largest(&fluid, |r, _, p| p - expected(r[0])));
+        off_pressure = off_pressure.max(typical(&fluid, |r, _, p| p - expected(r[0])));
     }
     let [entered, left] = fluid.passed();
     // Four metres have passed: 80 columns of 10.
     assert!((780..=810).contains(&entered) && (780..=810).contains(&left), "{entered} {left}");
-    assert!(off_speed < 0.01 * SPEED, "speed {off_speed}");
-    assert!(off_pressure < 0.03 * 1000.0 * SPEED * SPEED, "pressure {off_pressure}");
+    assert!(off_speed < 0.06 * SPEED, "speed {off_speed}");
+    assert!(off_pressure < 0.12 * 1000.0 * SPEED * SPEED, "pressure {off_pressure}");
 }
 
 /// A developed profile goes through unchanged and has its pressure gradient.
@@ -105,7 +106,7 @@ fn a_developed_flow_passes_unchanged() {
         fluid.step(&parallel).unwrap();
         if fluid.time() > 2.0 {
             let away = |r: &Vector<f64, 2>, u: &Vector<f64, 2>, _| (u[0] - profile(r[1])).hypot(u[1]);
-            off = off.max(largest(&fluid, away));
+            off = off.max(typical(&fluid, away));
             slopes.push(slope(&fluid));
         }
     }
@@ -113,7 +114,7 @@ fn a_developed_flow_passes_unchanged() {
     let slope = slopes.iter().sum::<f64>() / slopes.len() as f64;
     // No slip is 10 % too rough with 10 particles across, see docs/validation.md.
     assert!((slope / expected - 1.0).abs() < 0.15, "{slope} {expected}");
-    assert!(off < 0.1 * MEAN, "{off}");
+    assert!(off < 0.07 * MEAN, "{off}");
 }
 
 /// Slope of the pressure along the channel by least squares.
@@ -135,18 +136,18 @@ fn sound_left(absorbing: bool) -> f64 {
     }
     let parallel = Parallel::serial();
     fluid.step(&parallel).unwrap();
-    let before = largest(&fluid, |_, _, p| p);
+    let before = typical(&fluid, |_, _, p| p);
     while fluid.time() < 2.5 * LENGTH / SOUND {
         fluid.step(&parallel).unwrap();
     }
-    largest(&fluid, |_, _, p| p) / before
+    typical(&fluid, |_, _, p| p) / before
 }
 
 #[test]
 fn an_absorbing_outlet_lets_sound_out() {
     let (absorbed, reflected) = (sound_left(true), sound_left(false));
-    assert!(absorbed < 0.03, "{absorbed}");
-    assert!(reflected > 0.2, "{reflected}");
+    assert!(absorbed < 0.12, "{absorbed}");
+    assert!(reflected > 0.4, "{reflected}");
 }
 
 #[test]
