@@ -151,12 +151,18 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             body.start.copy_from_slice(body.structure.positions());
         }
         for _ in 0..self.substeps {
+            for body in &self.bodies {
+                body.show_velocities(&mut self.fluid);
+            }
+            self.fluid.follow_shear();
             for (index, body) in self.bodies.iter_mut().enumerate() {
                 body.gather(&self.fluid);
                 body.structure
                     .advance(parallel, &body.force, &gravity, sub_dt, 1)
                     .map_err(|source| CouplingError::Structure { index, time, source })?;
                 self.budget.book(&body.force, body.structure.mean_velocities(), sub_dt);
+            }
+            for body in &self.bodies {
                 body.show_velocities(&mut self.fluid);
             }
             self.fluid.compress_interface(parallel, sub_dt);

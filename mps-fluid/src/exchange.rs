@@ -12,11 +12,14 @@
 //! pair the same impulse. The pressure is that of the start of the sub-step, so the structure has to be kicked by it
 //! before it moves; held over the sub-step it would lag once more (`docs/coupling.md`). At the end the continuity equation, closed with the structure's mean
 //! velocity, finds the same compression.
+//!
+//! Shear follows in the same way: `K_ia (u_a - u_i)` is linear in the velocity of the point, and `K_ia` times what has changed of it since the
+//! start of the step goes to both sides. Held over the step, the drag on a vibration comes half a period late and drives it.
 
 use crate::eos::EquationOfState;
 use crate::terms::Viscosity;
 use crate::{Fluid, Tension};
-use mps_kernel::{Kernel, Neighborhood, Real, Vector};
+use mps_kernel::{Kernel, Neighborhood, Pair, Real, Tensor, Vector};
 use mps_neighbors::{Domain, Parallel};
 
 /// One pair across the interface: the other side's index and `V_a e_ia W_ia/r` \[1/m\].
@@ -46,6 +49,13 @@ pub(crate) struct Exchange<T: Real, const D: usize> {
     change: Vec<T>,
     sum: Vec<T>,
     substeps: usize,
+    /// `K_ia` of every link of both lists \[1/s\]; empty without shear.
+    wetted_drag: Vec<Tensor<T, D>>,
+    point_drag: Vec<Tensor<T, D>>,
+    /// Velocities of the points that the forces of the step were found with, and the sum over the sub-steps of what they differed by
+    /// \[m/s\].
+    shown: Vec<Vector<T, D>>,
+    slide: Vec<Vector<T, D>>,
 }
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
@@ -55,13 +65,19 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let mut exchange = core::mem::take(&mut self.exchange);
         exchange.clear();
         if !reactive.is_empty() {
-            self.link_wetted(&mut exchange);
-            self.link_points(&mut exchange);
+            let sheared = self.boundary.shear[reactive.clone()].iter().any(|shear| *shear > T::zero());
+            let sheared = sheared && self.viscosity.kinematic() > T::zero();
+            self.link_wetted(&mut exchange, sheared);
+            self.link_points(&mut exchange, sheared);
+            if sheared {
+                exchange.shown.extend_from_slice(&self.boundary.velocity[reactive.clone()]);
+                exchange.slide.resize(reactive.len(), Vector::zeros());
+            }
         }
         self.exchange = exchange;
     }
 
-    fn link_wetted(&self, exchange: &mut Exchange<T, D>) {
+    fn link_wetted(&self, exchange: &mut Exchange<T, D>, sheared: bool) {
         let reactive = self.boundary.reactive();
         let view = self.boundary_view();
         exchange.place.resize(self.particles.position.len(), 0);
@@ -76,6 +92,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                     let vector = self.corrected(i, pair.gradient_vector() * self.boundary.volume[pair.j]);
                     let other = (pair.j - reactive.start) as u32;
                     exchange.wetted_links.push(Link { other, vector });
+                    if sheared {
+                        exchange.wetted_drag.push(self.drag_of(pair));
+                    }
                 }
             });
             if exchange.wetted_links.len() > before {
@@ -92,7 +111,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         }
     }
 
-    fn link_points(&self, exchange: &mut Exchange<T, D>) {
+    fn link_points(&self, exchange: &mut Exchange<T, D>, sheared: bool) {
         let view =
             mps_neighbors::RowView { points: &self.boundary.position, ..self.view(&self.search.reaction) };
         for a in self.boundary.reactive() {
@@ -103,10 +122,25 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                     let vector = self.corrected(pair.j, -pair.gradient_vector() * self.boundary.volume[a]);
                     let other = exchange.place[pair.j];
                     exchange.point_links.push(Link { other, vector });
+                    if sheared {
+                        exchange.point_drag.push(self.drag_of(&Pair { j: a, r_ij: -pair.r_ij, ..*pair }));
+                    }
                 }
             });
         }
         exchange.point_start.push(exchange.point_links.len() as u32);
+    }
+
+    /// `K_ia` of a pair seen from the fluid particle \[1/s\]: its shear is this times the difference of the velocities.
+    fn drag_of(&self, pair: &Pair<T, D>) -> Tensor<T, D> {
+        let share = self.boundary.shear[pair.j] * self.boundary.volume[pair.j];
+        let mut drag = Tensor::<T, D>::zeros();
+        for axis in 0..D {
+            let mut along = Vector::<T, D>::zeros();
+            along[axis] = share;
+            drag.set_column(axis, &self.viscosity.pair(pair, &Vector::zeros(), &along));
+        }
+        drag
     }
 
     /// Force \[N\] on reactive point `a` in the present sub-step: that of the start of the step and
@@ -122,7 +156,27 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             }
         }
         let factor = T::of(2.0) * self.reference.gradient_factor::<D>() * self.config.particle_volume();
-        self.boundary.force[a] + sum * factor
+        self.boundary.force[a] + sum * factor - self.shear_on(a, k)
+    }
+
+    /// What the shear on reactive point `a`, number `k`, has changed by since the start of the step, as a force on the fluid \[N\].
+    fn shear_on(&self, a: usize, k: usize) -> Vector<T, D> {
+        let Some(shown) = self.exchange.shown.get(k) else { return Vector::zeros() };
+        let change = self.boundary.velocity[a] - shown;
+        let links = self.exchange.point_start[k] as usize..self.exchange.point_start[k + 1] as usize;
+        let drag =
+            self.exchange.point_drag[links].iter().fold(Vector::zeros(), |sum, drag| sum + drag * change);
+        drag * self.config.particle_mass()
+    }
+
+    /// Takes note of the velocities that the structures have at the start of a sub-step, which are those of their boundary points now: the
+    /// forces of the sub-step follow them, and so will the reaction.
+    pub fn follow_shear(&mut self) {
+        let Exchange { shown, slide, .. } = &mut self.exchange;
+        let velocity = &self.boundary.velocity[self.boundary.reactive().start..];
+        for ((slide, shown), now) in slide.iter_mut().zip(&*shown).zip(velocity) {
+            *slide += now - shown;
+        }
     }
 
     /// Compresses the particles at the interface by the motion of the structures over a sub-step of
@@ -166,6 +220,14 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             let links = exchange.wetted_start[k] as usize..exchange.wetted_start[k + 1] as usize;
             let sum = exchange.wetted_links[links].iter().fold(Vector::zeros(), |sum, l| sum + l.vector);
             self.rates.acceleration[i as usize] += sum * (exchange.sum[k] * factor);
+            if !exchange.slide.is_empty() {
+                let links = exchange.wetted_start[k] as usize..exchange.wetted_start[k + 1] as usize;
+                let pairs = exchange.wetted_links[links.clone()].iter().zip(&exchange.wetted_drag[links]);
+                let shear = pairs.fold(Vector::zeros(), |sum, (link, drag)| {
+                    sum + drag * exchange.slide[link.other as usize]
+                });
+                self.rates.acceleration[i as usize] += shear / T::of(exchange.substeps as f64);
+            }
         }
     }
 
@@ -196,6 +258,12 @@ impl<T: Real, const D: usize> Exchange<T, D> {
         self.point_start.clear();
         self.point_links.clear();
         for field in [&mut self.raw, &mut self.rise, &mut self.change, &mut self.sum] {
+            field.clear();
+        }
+        for field in [&mut self.wetted_drag, &mut self.point_drag] {
+            field.clear();
+        }
+        for field in [&mut self.shown, &mut self.slide] {
             field.clear();
         }
         self.substeps = 0;

@@ -42,13 +42,21 @@ pub fn lattice(corner: [f64; 2], counts: [usize; 2], l0: f64) -> Vec<Vector<f64,
 }
 
 pub fn rubber(lower: [f64; 2], upper: [f64; 2], counts: [usize; 2], clamp: &[Face], modulus: f64) -> Rubber {
+    Rubber::new(block(lower, upper, counts, clamp, modulus))
+}
+
+pub fn block(
+    lower: [f64; 2],
+    upper: [f64; 2],
+    counts: [usize; 2],
+    clamp: &[Face],
+    modulus: f64,
+) -> Solid<f64, 2, CorotationalHooke<f64>> {
     let body = body::block(lower.into(), upper.into(), counts, clamp).unwrap();
     let material = CorotationalHooke::new(modulus, 0.4).unwrap();
     let config = SolidConfig::default();
     let serial = Parallel::serial();
-    let solid =
-        Solid::new(body.particles, body.spacing, 1100.0, material, WendlandC2, config, &serial).unwrap();
-    Rubber::new(solid)
+    Solid::new(body.particles, body.spacing, 1100.0, material, WendlandC2, config, &serial).unwrap()
 }
 
 pub fn solid_of(scene: &Wet) -> &Solid<f64, 2, CorotationalHooke<f64>> {

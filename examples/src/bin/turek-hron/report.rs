@@ -98,7 +98,7 @@ fn results(
         let mean = (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64);
         let spread = extremes(values).map(|[low, high]| Metric::new(high - low, unit));
         return vec![
-            (name.to_owned(), mean.map(|mean| compared(mean, unit, reference.mean))),
+            (format!("{name}_mean"), mean.map(|mean| compared(mean, unit, reference.mean))),
             (format!("{name}_spread"), spread),
         ];
     }

@@ -1,0 +1,85 @@
+//! The command line of the channel of Turek and Hron: what it refuses, and what a run leaves behind.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
+
+mod common;
+
+use common::{execute, words};
+use mps_io::{CsvTable, Summary};
+use std::path::{Path, PathBuf};
+use std::process::Output;
+
+fn fresh(name: &str) -> PathBuf {
+    common::fresh("turek-hron-cli", name)
+}
+
+fn channel(out: &Path, arguments: &[&str]) -> Output {
+    execute(env!("CARGO_BIN_EXE_turek-hron"), out, arguments)
+}
+
+#[test]
+fn what_cannot_be_run_is_refused_with_the_flag_and_a_remedy() {
+    for (flag, value, remedy) in [
+        ("--spacing", "nan", "metres"),
+        ("--spacing", "-1", "metres"),
+        ("--spacing", "0.006", "whole numbers of it"),
+        ("--spacing", "1e-6", "give at least"),
+        ("--end-time", "0", "seconds"),
+        ("--end-time", "nan", "seconds"),
+        ("--length", "0.7", "the wake needs room"),
+        ("--length", "inf", "the wake needs room"),
+        ("--cfl", "0", "0.5"),
+        ("--sound-ratio", "0.5", "usual is 10"),
+        ("--radius", "2", "3 to 6"),
+        ("--level", "-1", "tears"),
+        ("--across", "1", "2 to 200"),
+        ("--threads", "0", "give at least 1"),
+    ] {
+        let dir = fresh("refused");
+        let output = channel(&dir, &[flag, value]);
+        let message = words(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{flag} {value}: {message}");
+        assert!(message.starts_with(&format!("error: {flag} is ")), "{flag} {value}: {message}");
+        assert!(message.contains(remedy), "{flag} {value}: {message}");
+        assert!(output.stdout.is_empty() && !dir.exists(), "{flag} {value} has left something");
+    }
+}
+
+/// Fluid that comes up to speed, with an elastic flag: twice, with other threads, the same to the last bit.
+#[test]
+fn a_run_leaves_its_results_and_does_not_depend_on_the_threads() {
+    let short = [
+        "--test",
+        "fsi3",
+        "--spacing",
+        "0.01",
+        "--length",
+        "1",
+        "--radius",
+        "3",
+        "--end-time",
+        "0.05",
+        "--quiet",
+    ];
+    let probes = |name: &str, more: &[&str]| {
+        let dir = fresh(name);
+        let output = channel(&dir, &[&short, more].concat());
+        assert!(output.status.success(), "{}", words(&output.stderr));
+        dir
+    };
+    let (whole, bare) =
+        (probes("whole", &["--threads", "1"]), probes("bare", &["--threads", "2", "--no-fields"]));
+    for file in
+        ["drag.png", "lift.png", "ux.png", "uy.png", "film.png", "fields/water.pvd", "fields/flag.pvd"]
+    {
+        assert!(whole.join(file).exists(), "{file}");
+    }
+    assert!(!bare.join("fields").exists());
+    let read = |dir: &Path| std::fs::read(dir.join("probes.csv")).unwrap();
+    assert!(read(&whole) == read(&bare), "threads or watching have changed the run");
+    let table = CsvTable::read(whole.join("probes.csv")).unwrap();
+    let speed = table.column("mean speed [m/s]").unwrap();
+    let expected = 1.0 - (core::f64::consts::PI * 0.05 / 2.0).cos();
+    assert!((speed[speed.len() - 1] / expected - 1.0).abs() < 0.25, "{speed:?}");
+    let summary = Summary::read(whole.join("summary.json")).unwrap();
+    assert!(summary.metrics["interface_momentum_residual"].value < 1e-12);
+}
