@@ -18,7 +18,7 @@ const REACH: f64 = 0.5;
 ///
 /// has the potential `c^2/6` at `r = 0` and stops a particle of up to `0.58 c`; its stiffness `4 c^2/l0^2` is
 /// that of neighbouring particles, so that the time step needs no other limit. It is one more part of the pair force,
-/// with its reaction. (Amaro et al. 2022 use a Lennard-Jones force between particles and walls for the same purpose.)
+/// with its reaction; what it stores shows in the books as work of the walls. (Amaro et al. 2022 use a Lennard-Jones force between particles and walls for the same purpose.)
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Guard<T> {
     reach: T,
@@ -42,5 +42,31 @@ impl<T: Real> Guard<T> {
         let r = pair.distance();
         let depth = T::one() - r / self.reach;
         self.strength * depth * depth / r
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mps_kernel::Vector;
+
+    /// What a particle has to bring to reach a point: `c^2/6`, however fine the water.
+    #[test]
+    fn the_guard_stops_what_is_slower_than_its_potential() {
+        let factor = 3.7;
+        for l0 in [0.01, 0.5] {
+            let config = FluidConfig::<f64, 2>::water(l0, 12.0);
+            let guard = Guard::new(&config, factor);
+            let acceleration = |r: f64| {
+                let r_ij = Vector::from([r, 0.0]);
+                let pair = Pair { j: 0, r_ij, r2: r * r, weight: 1.0, over_r2: 1.0 };
+                guard.share(&pair) * r * factor / config.density
+            };
+            let steps = 10_000;
+            let dr = l0 / f64::from(steps);
+            let work: f64 = (0..steps).map(|k| acceleration((f64::from(k) + 0.5) * dr) * dr).sum();
+            approx::assert_relative_eq!(work, 12.0 * 12.0 / 6.0, max_relative = 1e-6);
+            assert_eq!(acceleration(0.5 * l0), 0.0);
+        }
     }
 }
