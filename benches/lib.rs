@@ -11,7 +11,7 @@ use criterion::Criterion;
 use mps_coupling::{ElasticBody, Scene};
 use mps_fluid::{
     ArtificialViscosity, Boundary, Diffusion, EquationOfState, Fluid, FluidConfig, FluidParticles, Shifting,
-    Slip, Tait,
+    Slip,
 };
 use mps_kernel::weights::{Rational, WendlandC2};
 use mps_kernel::{Real, Vector};
@@ -123,7 +123,7 @@ pub fn tank<T: Real, const D: usize>(cells: [usize; D], features: Features) -> W
         config.shifting = Some(Shifting { iterations: features.shifting, ..Shifting::default() });
     }
     let mut particles = FluidParticles::at_rest(disordered::<T, D>(cells));
-    let eos = Tait::new(config.density, config.sound_speed);
+    let eos = config.equation_of_state();
     for i in 0..particles.position.len() {
         let depth = T::of(height) - particles.position[i][D - 1];
         particles.density[i] = eos.density(config.density * T::of(GRAVITY) * depth);
@@ -187,7 +187,7 @@ pub fn gate_scene(l0: f64) -> GateScene {
     let mut config = FluidConfig::<f64, 2>::water(l0, sound_speed);
     config.gravity[1] = -GRAVITY;
     let mut particles = FluidParticles::at_rest(fill([0.0, 0.0], [width, depth], l0));
-    let eos = Tait::new(config.density, config.sound_speed);
+    let eos = config.equation_of_state();
     for (n, r) in particles.density.iter_mut().zip(&particles.position) {
         *n = eos.density(config.density * GRAVITY * (depth - r[1]));
     }

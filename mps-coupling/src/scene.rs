@@ -150,10 +150,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         for body in &mut self.bodies {
             body.start.copy_from_slice(body.structure.positions());
         }
+        // Those of the last sub-step, where the forces were found with the mean over the last step.
+        for body in &self.bodies {
+            body.show_velocities(&mut self.fluid);
+        }
         for _ in 0..self.substeps {
-            for body in &self.bodies {
-                body.show_velocities(&mut self.fluid);
-            }
             self.fluid.follow_shear();
             for (index, body) in self.bodies.iter_mut().enumerate() {
                 body.gather(&self.fluid);

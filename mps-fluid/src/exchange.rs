@@ -218,10 +218,10 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             / (self.config.density * T::of(exchange.substeps as f64));
         for (k, &i) in exchange.wetted.iter().enumerate() {
             let links = exchange.wetted_start[k] as usize..exchange.wetted_start[k + 1] as usize;
-            let sum = exchange.wetted_links[links].iter().fold(Vector::zeros(), |sum, l| sum + l.vector);
+            let sum =
+                exchange.wetted_links[links.clone()].iter().fold(Vector::zeros(), |sum, l| sum + l.vector);
             self.rates.acceleration[i as usize] += sum * (exchange.sum[k] * factor);
             if !exchange.slide.is_empty() {
-                let links = exchange.wetted_start[k] as usize..exchange.wetted_start[k + 1] as usize;
                 let pairs = exchange.wetted_links[links.clone()].iter().zip(&exchange.wetted_drag[links]);
                 let shear = pairs.fold(Vector::zeros(), |sum, (link, drag)| {
                     sum + drag * exchange.slide[link.other as usize]

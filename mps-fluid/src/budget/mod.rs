@@ -8,6 +8,8 @@
 //! is evaluated with the sums of the step itself: a force with the mean of the velocities before and after it,
 //! a rate of density with the `p/n` by which compression stores energy.
 //!
+//! Not booked yet: what passes openings, and the change of the shear on a structure within a step.
+//!
 //! The books are closed unless [`Fluid::keep_books`] is called; then a step costs about half as much again.
 
 mod powers;

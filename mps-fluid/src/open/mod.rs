@@ -10,7 +10,9 @@
 //!
 //! Sound would run to and fro between the two: the inlet reflects it as a wall, an outlet at constant pressure as an open end, and the
 //! channel rings like an organ pipe at `c/(4 L)`. An absorbing outlet answers instead with `rho0 c` times the difference
-//! between the mean speed at its plane and the one that belongs to the inflow, the pressure of a plane wave that goes on.
+//! between the mean speed at its plane and the one that belongs to the inflow, the pressure of a plane wave that goes on
+//! (the characteristic of Lastiwka, Basa and Quinlan 2009, Int. J. Numer. Meth. Fluids 61:709, for the mean over the plane only, so that
+//! vortices pass).
 //!
 //! Particles enter and leave only when neighbour rows are rebuilt, in the order of their arrays: the bits do not depend on the
 //! number of threads.

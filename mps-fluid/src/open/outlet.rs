@@ -10,8 +10,8 @@ pub struct Outlet<T: Real, const D: usize> {
     pub opening: Opening<T, D>,
     /// Pressure beyond its plane \[Pa\].
     pub pressure: T,
-    /// Whether sound goes out through it, or is reflected. The mean speed at the plane is then held to the one
-    /// that belongs to the inflow, with the stiffness `rho0 c`.
+    /// Whether sound goes out through it, or is reflected. The pressure is then `rho0 c` times the mean speed at the plane beyond the one
+    /// that belongs to the inflow: what all inlets bring, shared by the outlets in proportion to their areas, zero without inlets.
     pub absorbing: bool,
 }
 

@@ -136,7 +136,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         Some(first)
     }
 
-    /// Gives particles from `first` on, which have just entered, the density of their neighbours.
+    /// Gives particles from `first` on, which have just entered, the density of their neighbours; reference density where there are none yet.
     pub(crate) fn welcome(&mut self, first: u32) {
         let newcomers: Vec<usize> =
             (0..self.particles.id.len()).filter(|i| self.particles.id[*i] >= first).collect();

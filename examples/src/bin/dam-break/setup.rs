@@ -3,7 +3,7 @@
 use mps_examples::Failure;
 use mps_fluid::{
     ArtificialViscosity, Boundary, Diffusion, Dpc, EquationOfState, Fluid, FluidConfig, FluidError,
-    FluidParticles, PressureForm, Shifting, Slip, Tait, Tension,
+    FluidParticles, PressureForm, Shifting, Slip, Tension,
 };
 use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::{Open, Parallel};
@@ -117,7 +117,7 @@ impl<T: Real, K: Kernel<T>> DamBreak<T, K> {
             .then(|| Shifting { iterations: settings.shifting, ..Shifting::default() });
 
         let mut particles = FluidParticles::at_rest(fill([0.0, 0.0], [LENGTH, HEIGHT], l0));
-        let eos = Tait::new(config.density, config.sound_speed);
+        let eos = config.equation_of_state();
         for (n, r) in particles.density.iter_mut().zip(&particles.position) {
             let [x, y] = [r[0], r[1]].map(Real::to_double);
             *n = eos.density(T::of(match settings.release {

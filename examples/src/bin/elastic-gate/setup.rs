@@ -4,7 +4,7 @@ use mps_coupling::{ElasticBody, Scene};
 use mps_examples::Failure;
 use mps_fluid::{
     ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, PressureForm,
-    Shifting, Slip, Tait,
+    Shifting, Slip,
 };
 use mps_kernel::weights::{Rational, WendlandC2};
 use mps_kernel::{Real, Vector};
@@ -90,7 +90,7 @@ fn water<T: Real>(settings: &Settings) -> Result<Fluid<T, 2, Rational, Artificia
         (settings.shifting > 0).then(|| Shifting { iterations: settings.shifting, ..Shifting::default() });
 
     let mut particles = FluidParticles::at_rest(fill([0.0, 0.0], [RESERVOIR_WIDTH, WATER_DEPTH], l0));
-    let eos = Tait::new(config.density, config.sound_speed);
+    let eos = config.equation_of_state();
     for (n, r) in particles.density.iter_mut().zip(&particles.position) {
         let depth = T::of(WATER_DEPTH) - r[1];
         *n = eos.density(config.density * T::of(GRAVITY) * depth);

@@ -64,7 +64,9 @@ impl<T: Real> Observer<T> {
     pub(crate) fn record(&mut self, scene: &Channel<T>, parallel: &Parallel, dt: f64) -> Result<(), Failure> {
         let time = scene.fluid().time().to_double();
         let displacement = match (elastic(scene), &self.end) {
-            (Some(flag), Some(end)) => (end.value(flag.positions()) - end.reference()).map(Real::to_double),
+            (Some(flag), Some(end)) => {
+                (end.value(flag.solid().positions()) - end.reference()).map(Real::to_double)
+            }
             _ => Vector::zeros(),
         };
         let impulse: [f64; 2] = scene.budget().impulse.map(Real::to_double).into();
@@ -106,14 +108,4 @@ impl<T: Real> Observer<T> {
 /// The flag, if it is elastic.
 pub(crate) fn elastic<T: Real>(scene: &Channel<T>) -> Option<&Flag<T>> {
     scene.structure(FLAG)?.as_any().downcast_ref()
-}
-
-trait Positions<T: Real> {
-    fn positions(&self) -> &[Vector<T, 2>];
-}
-
-impl<T: Real> Positions<T> for Flag<T> {
-    fn positions(&self) -> &[Vector<T, 2>] {
-        self.solid().positions()
-    }
 }

@@ -114,7 +114,7 @@ fn water<T: Real>(
     Ok(fluid)
 }
 
-/// Speed \[m/s\] at height `y` \[m\].
+/// Speed \[m/s\] at height `y` \[m\]: a parabola, with a smooth start (Turek and Hron 2006).
 fn inflow(mean: f64, y: f64, time: f64) -> f64 {
     let ramp = if time < RAMP { 0.5 * (1.0 - (core::f64::consts::PI * time / RAMP).cos()) } else { 1.0 };
     ramp * 1.5 * mean * 4.0 * y * (HEIGHT - y) / (HEIGHT * HEIGHT)

@@ -3,7 +3,7 @@
 use mps_examples::Failure;
 use mps_fluid::{
     Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, LaminarViscosity, PressureForm, Shifting,
-    Slip, Tait, Tension, Viscosity,
+    Slip, Tension, Viscosity,
 };
 use mps_kernel::weights::{WendlandC2, WendlandGradient};
 use mps_kernel::{Kernel, ReferenceDensity, Vector};
@@ -69,7 +69,7 @@ pub(crate) fn press<const D: usize>(
     config: &FluidConfig<f64, D>,
     p: impl Fn(&Vector<f64, D>) -> f64,
 ) {
-    let eos = Tait::new(config.density, config.sound_speed);
+    let eos = config.equation_of_state();
     for (n, r) in particles.density.iter_mut().zip(&particles.position) {
         *n = eos.density(p(r));
     }
