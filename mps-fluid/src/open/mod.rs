@@ -17,12 +17,15 @@
 //! Particles enter and leave only when neighbour rows are rebuilt, in the order of their arrays: the bits do not depend on the
 //! number of threads.
 
+mod boundaries;
+mod drive;
+mod hold;
 mod inlet;
 mod opening;
 mod outlet;
 mod passage;
 
+pub(crate) use boundaries::OpenBoundaries;
 pub use inlet::Inlet;
 pub use opening::Opening;
 pub use outlet::Outlet;
-pub(crate) use passage::OpenBoundaries;

@@ -1,0 +1,111 @@
+//! The openings of a fluid and how they are added.
+
+use super::{Inlet, Outlet};
+use crate::eos::EquationOfState;
+use crate::terms::Viscosity;
+use crate::{Fluid, FluidError};
+use mps_kernel::{Kernel, Real, Vector};
+use mps_neighbors::Domain;
+
+/// The inlets and outlets of a fluid.
+#[derive(Debug)]
+pub(crate) struct OpenBoundaries<T: Real, const D: usize> {
+    pub(super) inlets: Vec<Inlet<T, D>>,
+    pub(super) outlets: Vec<Outlet<T, D>>,
+    /// Density ratio beyond each outlet in this step.
+    pub(super) beyond: Vec<T>,
+    /// Mean speed through the plane of each outlet in the last step \[m/s\].
+    pub(super) speed: Vec<Option<T>>,
+    /// Volume that enters per time \[m^D/s\].
+    pub(super) inflow: T,
+    /// Number of the next particle.
+    pub(super) next_id: u32,
+    /// Particles that have entered and left so far.
+    pub(super) passed: [u64; 2],
+}
+
+impl<T: Real, const D: usize> Default for OpenBoundaries<T, D> {
+    fn default() -> Self {
+        Self {
+            inlets: Vec::new(),
+            outlets: Vec::new(),
+            beyond: Vec::new(),
+            speed: Vec::new(),
+            inflow: T::zero(),
+            next_id: 0,
+            passed: [0; 2],
+        }
+    }
+}
+
+impl<T: Real, const D: usize> OpenBoundaries<T, D> {
+    /// A number for a new particle.
+    fn number(&mut self) -> u32 {
+        self.next_id += 1;
+        self.next_id - 1
+    }
+}
+
+impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
+    /// Lets fluid enter. The stack of points that the inlet adds to the boundary lies upstream of its plane; walls have to
+    /// reach as far.
+    ///
+    /// # Errors
+    /// If the opening is no whole number of spacings wide, a structure has been added before, or the run has begun.
+    pub fn add_inlet(&mut self, mut inlet: Inlet<T, D>) -> Result<(), FluidError> {
+        self.refuse_after_start()?;
+        inlet.install(&mut self.boundary, self.config.spacing, self.config.radius())?;
+        self.open_boundaries().inlets.push(inlet);
+        Ok(())
+    }
+
+    /// Lets fluid leave. The zone beyond its plane, twice the effective radius and a spacing deep, is filled with particles at rest;
+    /// walls have to reach an effective radius further.
+    ///
+    /// # Errors
+    /// If the opening is no whole number of spacings wide, or the run has begun.
+    pub fn add_outlet(&mut self, outlet: Outlet<T, D>) -> Result<(), FluidError> {
+        self.refuse_after_start()?;
+        let spacing = self.config.spacing;
+        outlet.opening.check(spacing)?;
+        let density = self.eos.density(outlet.pressure);
+        let layers = (self.zone() / spacing).to_double() as usize;
+        for layer in 0..layers {
+            for place in outlet.opening.lattice(spacing, T::of(layer as f64 + 0.5) * spacing) {
+                let id = self.open_boundaries().number();
+                self.particles.push(place, Vector::zeros(), density, outlet.pressure, id);
+            }
+        }
+        self.rates.resize(self.particles.position.len());
+        let open = self.open_boundaries();
+        open.outlets.push(outlet);
+        open.beyond.push(density);
+        open.speed.push(None);
+        Ok(())
+    }
+
+    fn refuse_after_start(&self) -> Result<(), FluidError> {
+        if self.steps == 0 {
+            return Ok(());
+        }
+        let what = format!("it has to be added before the first step, not after {}", self.steps);
+        Err(FluidError::Opening { what })
+    }
+
+    /// Depth of the zone beyond an outlet \[m\].
+    pub(super) fn zone(&self) -> T {
+        T::of(2.0) * self.reference.radius + self.config.spacing
+    }
+
+    fn open_boundaries(&mut self) -> &mut OpenBoundaries<T, D> {
+        let next_id = self.particles.id.iter().max().map_or(0, |id| id + 1);
+        let open = self.open.get_or_insert_default();
+        open.next_id = open.next_id.max(next_id);
+        open
+    }
+
+    /// Particles that have entered and left so far.
+    pub fn passed(&self) -> [u64; 2] {
+        self.open.as_ref().map_or([0; 2], |open| open.passed)
+    }
+}
