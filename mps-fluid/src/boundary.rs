@@ -20,9 +20,20 @@ pub enum Slip {
     /// No shear force.
     #[default]
     Free,
-    /// The fluid's viscosity acts against the mirrored velocity: at the surface, half a spacing before
-    /// the first points, the fluid moves with the boundary.
+    /// The fluid's viscosity acts against the boundary: at the surface, half a spacing before the first points, the fluid moves with it.
     None,
+}
+
+/// What viscosity makes of a boundary point.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Shear {
+    /// Nothing (free slip).
+    #[default]
+    Free,
+    /// Fluid that flows with the velocity of the point.
+    Fluid,
+    /// A wall to which the fluid sticks.
+    Wall,
 }
 
 /// Walls and wetted structures as one set of points, never reordered.
@@ -36,12 +47,8 @@ pub struct Boundary<T: Real, const D: usize> {
     pub acceleration: Vec<Vector<T, D>>,
     /// Volume of the point over that of a fluid particle \[-\].
     pub volume: Vec<T>,
-    /// 2 where viscosity acts against the point (no slip), 0 where it does not (free slip).
-    ///
-    /// A point without slip shows the mirrored velocity `2 u_a - u_i`, hence twice the difference, as
-    /// in the continuity equation. Beside a wall in a linear profile the pairs across `d` rows of a lattice
-    /// then add up to `sum over k of (2 k + 1) = d^2` times the shear, which is what they carry inside.
-    pub shear: Vec<T>,
+    /// What viscosity makes of the point.
+    pub shear: Vec<Shear>,
     /// Force of the fluid on the point \[N\], of the reactive points only.
     pub force: Vec<Vector<T, D>>,
     reactive: Range<usize>,
@@ -118,7 +125,7 @@ impl<T: Real, const D: usize> Boundary<T, D> {
         self.velocity.resize(end, Vector::zeros());
         self.acceleration.resize(end, Vector::zeros());
         self.force.resize(end, Vector::zeros());
-        self.shear.resize(end, if slip == Slip::None { T::of(2.0) } else { T::zero() });
+        self.shear.resize(end, if slip == Slip::None { Shear::Wall } else { Shear::Free });
         start..end
     }
 }

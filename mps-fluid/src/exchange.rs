@@ -16,6 +16,7 @@
 //! Shear follows in the same way: `K_ia (u_a - u_i)` is linear in the velocity of the point, and `K_ia` times what has changed of it since the
 //! start of the step goes to both sides. Held over the step, the drag on a vibration comes half a period late and drives it.
 
+use crate::boundary::Shear;
 use crate::eos::EquationOfState;
 use crate::terms::Viscosity;
 use crate::{Fluid, Tension};
@@ -65,7 +66,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let mut exchange = core::mem::take(&mut self.exchange);
         exchange.clear();
         if !reactive.is_empty() {
-            let sheared = self.boundary.shear[reactive.clone()].iter().any(|shear| *shear > T::zero());
+            let sheared = self.boundary.shear[reactive.clone()].iter().any(|shear| *shear != Shear::Free);
             let sheared = sheared && self.viscosity.kinematic() > T::zero();
             self.link_wetted(&mut exchange, sheared);
             self.link_points(&mut exchange, sheared);
@@ -93,7 +94,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                     let other = (pair.j - reactive.start) as u32;
                     exchange.wetted_links.push(Link { other, vector });
                     if sheared {
-                        exchange.wetted_drag.push(self.drag_of(pair));
+                        exchange.wetted_drag.push(self.drag_of(i, pair));
                     }
                 }
             });
@@ -123,7 +124,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                     let other = exchange.place[pair.j];
                     exchange.point_links.push(Link { other, vector });
                     if sheared {
-                        exchange.point_drag.push(self.drag_of(&Pair { j: a, r_ij: -pair.r_ij, ..*pair }));
+                        let seen = Pair { j: a, r_ij: -pair.r_ij, ..*pair };
+                        exchange.point_drag.push(self.drag_of(pair.j, &seen));
                     }
                 }
             });
@@ -131,9 +133,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         exchange.point_start.push(exchange.point_links.len() as u32);
     }
 
-    /// `K_ia` of a pair seen from the fluid particle \[1/s\]: its shear is this times the difference of the velocities.
-    fn drag_of(&self, pair: &Pair<T, D>) -> Tensor<T, D> {
-        let share = self.boundary.shear[pair.j] * self.boundary.volume[pair.j];
+    /// `K_ia` of a pair seen from fluid particle `i` \[1/s\]: its shear is this times the difference of the velocities.
+    fn drag_of(&self, i: usize, pair: &Pair<T, D>) -> Tensor<T, D> {
+        let share = self.no_slip().share(i, pair);
         let mut drag = Tensor::<T, D>::zeros();
         for axis in 0..D {
             let mut along = Vector::<T, D>::zeros();

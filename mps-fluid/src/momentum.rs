@@ -2,6 +2,7 @@
 
 use crate::fluid::{Flow, State};
 use crate::gather::Gather;
+use crate::no_slip::NoSlip;
 use crate::terms::{Viscosity, WallPair};
 use crate::{Boundary, Fluid};
 use fearless_simd::Simd;
@@ -41,6 +42,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             state: &self.rates.state,
             correction: &self.rates.pressure_correction,
             boundary: &self.boundary,
+            no_slip: self.no_slip(),
             wall: self.wall_pair(),
             viscosity: self.viscosity,
             gravity: self.config.gravity,
@@ -70,7 +72,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
     fn reaction_on(&self, a: usize) -> Vector<T, D> {
         let wall = self.wall_pair();
-        let boundary = &self.boundary;
+        let (boundary, no_slip) = (&self.boundary, self.no_slip());
         let fluid = mps_neighbors::RowView { points: &boundary.position, ..self.view(&self.search.reaction) };
         let state = &self.rates.state;
         let mass = self.config.particle_mass();
@@ -82,7 +84,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             let seen = mps_kernel::Pair { j: a, r_ij: -pair.r_ij, ..*pair };
             let pressure = self.corrected(pair.j, wall.pressure_sum(own, boundary, &seen));
             let shear = self.viscosity.pair(&seen, &own.velocity, &boundary.velocity[a])
-                * (boundary.shear[a] * boundary.volume[a]);
+                * no_slip.share(pair.j, &seen);
             sum += pressure * pressure_factor - shear;
         });
         sum * mass
@@ -96,7 +98,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             return Vector::zeros();
         }
         let wall = self.wall_pair();
-        let walls = self.boundary_view();
+        let (walls, no_slip) = (self.boundary_view(), self.no_slip());
         let state = &self.rates.state;
         let pressure_factor = -self.reference.gradient_factor::<D>() / self.config.density;
         let sum = parallel.fold(
@@ -111,7 +113,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                         let pressure = self.corrected(i, wall.pressure_sum(own, &self.boundary, pair));
                         let shear = self.viscosity.pair(pair, &own.velocity, &self.boundary.velocity[a]);
                         sum += pressure * pressure_factor;
-                        sum += shear * (self.boundary.shear[a] * self.boundary.volume[a]);
+                        sum += shear * no_slip.share(i, pair);
                     }
                 });
                 sum
@@ -130,6 +132,7 @@ struct Momentum<'a, T: Real, const D: usize, K, V, P, const DIFFUSION: bool, con
     /// `C_i` of the corrected form, empty for the plain one.
     correction: &'a [Tensor<T, D>],
     boundary: &'a Boundary<T, D>,
+    no_slip: NoSlip<'a, T, D>,
     wall: WallPair<T, D>,
     viscosity: V,
     gravity: Vector<T, D>,
@@ -152,9 +155,8 @@ where
             let a = pair.j;
             let pressure = self.wall.pressure_sum(own, self.boundary, pair) * self.pressure_factor;
             *total += if CORRECTED { self.correction[i] * pressure } else { pressure };
-            let shear = self.boundary.shear[a];
-            if shear > T::zero() {
-                let share = shear * self.boundary.volume[a];
+            let share = self.no_slip.share(i, pair);
+            if share > T::zero() {
                 *total += self.viscosity.pair(pair, &own.velocity, &self.boundary.velocity[a]) * share;
             }
         });

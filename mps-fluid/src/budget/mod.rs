@@ -2,7 +2,7 @@
 //!
 //! Between two moments the energy of the fluid (kinetic, potential, compression) changes by
 //!
-//! `viscosity + diffusion + collisions + shifting + boundary + field`
+//! `viscosity + diffusion + collisions + shifting + relaxation + boundary + field`
 //!
 //! and by what the time stepping makes of it, the only part that is not measured but left over. Each work
 //! is evaluated with the sums of the step itself: a force with the mean of the velocities before and after it,
@@ -32,6 +32,8 @@ pub struct EnergyBudget<T> {
     pub collisions: T,
     /// Shifting, through the height of the particles.
     pub shifting: T,
+    /// Relaxation of the density to the packing, through the energy of compression.
+    pub relaxation: T,
     /// What walls and structures hand over: the work of their motion, and of the hydrostatic difference by
     /// which the pressure they show differs from the particle's own.
     pub boundary: T,
@@ -42,7 +44,8 @@ pub struct EnergyBudget<T> {
 impl<T: Real> EnergyBudget<T> {
     /// Sum of the parts \[J\].
     pub fn total(&self) -> T {
-        self.viscosity + self.diffusion + self.collisions + self.shifting + self.boundary + self.field
+        let regularised = self.collisions + self.shifting + self.relaxation;
+        self.viscosity + self.diffusion + regularised + self.boundary + self.field
     }
 }
 
@@ -78,6 +81,17 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if let Some(before) = before {
             let gained = (height(self) - before) * self.config.particle_mass();
             self.books.iter_mut().for_each(|books| books.budget.shifting += gained);
+        }
+        Ok(())
+    }
+
+    /// Lets the densities follow the packing and books what compression gains.
+    pub(crate) fn relax_densities(&mut self, parallel: &Parallel) -> Result<(), FluidError> {
+        let before = self.books.as_ref().map(|_| self.energy(parallel).compression);
+        regularize::relax_densities(self, parallel)?;
+        if let Some(before) = before {
+            let gained = self.energy(parallel).compression - before;
+            self.books.iter_mut().for_each(|books| books.budget.relaxation += gained);
         }
         Ok(())
     }

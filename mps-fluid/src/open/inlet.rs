@@ -1,7 +1,7 @@
 //! Where fluid enters.
 
 use super::Opening;
-use crate::{Boundary, FluidError, Slip};
+use crate::{Boundary, FluidError, Shear, Slip};
 use core::fmt;
 use core::ops::Range;
 use mps_kernel::{Real, Vector};
@@ -51,7 +51,7 @@ impl<T: Real, const D: usize> Inlet<T, D> {
             return Err(FluidError::Opening { what: "inlets have to be added before structures".to_owned() });
         };
         // The flow goes on undisturbed behind the plane: nothing is mirrored.
-        boundary.shear[range.clone()].fill(T::one());
+        boundary.shear[range.clone()].fill(Shear::Fluid);
         self.range = range;
         self.length = T::of(layers as f64) * spacing;
         Ok(())

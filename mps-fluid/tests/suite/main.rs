@@ -20,6 +20,7 @@ mod moving_walls;
 mod openings;
 mod parameters;
 mod plates;
+mod relaxing;
 mod resting;
 mod robustness;
 mod shifting;

@@ -1,7 +1,9 @@
 //! Parameters no simulation can be run with are refused by name.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-use mps_fluid::{Boundary, Diffusion, Dpc, Fluid, FluidConfig, FluidError, FluidParticles, Shifting};
+use mps_fluid::{
+    Boundary, Diffusion, Dpc, Fluid, FluidConfig, FluidError, FluidParticles, Shifting, Tension,
+};
 use mps_kernel::Vector;
 use mps_kernel::weights::Rational;
 use mps_neighbors::Open;
@@ -34,7 +36,7 @@ type Case = (&'static str, fn(&mut Config, f64), &'static [f64]);
 
 #[test]
 fn bad_numbers_are_refused_by_name() {
-    let cases: [Case; 11] = [
+    let cases: [Case; 12] = [
         ("spacing", |c, x| c.spacing = x, &[0.0, -0.01]),
         ("radius_ratio", |c, x| c.radius_ratio = x, &[0.0, 1.0, 60.0, -3.0]),
         ("density", |c, x| c.density = x, &[0.0, -1000.0]),
@@ -42,6 +44,7 @@ fn bad_numbers_are_refused_by_name() {
         ("gravity", |c, x| c.gravity[1] = x, &[]),
         ("diffusion", |c, x| c.diffusion = Diffusion::Filter { delta: x }, &[-0.1, 3.0]),
         ("cfl", |c, x| c.cfl = x, &[0.0, -0.5, 10.0]),
+        ("density_relaxation", |c, x| c.density_relaxation = x, &[-0.1, 0.01, 0.3]),
         ("skin_ratio", |c, x| c.skin_ratio = x, &[-0.1, 10.0]),
         ("repulsion", |c, x| c.collisions = Some(Dpc { repulsion: x, ..Dpc::default() }), &[-0.1, 2.0]),
         ("restitution", |c, x| c.collisions = Some(Dpc { restitution: x, ..Dpc::default() }), &[-0.1, 2.0]),
@@ -53,6 +56,14 @@ fn bad_numbers_are_refused_by_name() {
             assert!(message.contains(name), "{name} = {value}: {message}");
         }
     }
+}
+
+#[test]
+fn a_density_that_follows_the_packing_needs_a_fluid_under_tension() {
+    let mut config = good();
+    config.density_relaxation = 0.01;
+    config.tension = Tension::Keep;
+    config.validate().unwrap();
 }
 
 #[test]
@@ -100,6 +111,7 @@ fn walls_come_before_structures() {
     assert_eq!(boundary.add_wall(&[Vector::zeros()], Slip::Free), None);
     assert_eq!((boundary.len(), boundary.reactive()), (7, 4..7));
     assert_eq!(boundary.volume, [1.0, 1.0, 1.0, 1.0, 0.25, 0.5, 1.0]);
-    assert_eq!(boundary.shear, [0.0, 0.0, 0.0, 0.0, 2.0, 2.0, 0.0]);
+    use mps_fluid::Shear::{Free, Wall};
+    assert_eq!(boundary.shear, [Free, Free, Free, Free, Wall, Wall, Free]);
     assert_eq!(boundary.force.len(), 7);
 }

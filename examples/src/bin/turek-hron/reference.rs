@@ -11,6 +11,8 @@ pub(crate) const SOURCE: &str = "Turek and Hron 2006 (finite elements)";
 pub(crate) enum Test {
     /// Rigid flag, mean inflow 0.2 m/s: steady
     Cfd1,
+    /// Rigid flag, 1 m/s: steady, with thin boundary layers
+    Cfd2,
     /// Rigid flag, 2 m/s: vortices leave the cylinder
     Cfd3,
     /// Elastic flag, 0.2 m/s: steady
@@ -51,6 +53,7 @@ impl Test {
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Cfd1 => "cfd1",
+            Self::Cfd2 => "cfd2",
             Self::Cfd3 => "cfd3",
             Self::Fsi1 => "fsi1",
             Self::Fsi3 => "fsi3",
@@ -61,20 +64,21 @@ impl Test {
     pub(crate) fn inflow(self) -> f64 {
         match self {
             Self::Cfd1 | Self::Fsi1 => 0.2,
+            Self::Cfd2 => 1.0,
             Self::Cfd3 | Self::Fsi3 => 2.0,
         }
     }
 
     /// Whether the flow becomes steady.
     pub(crate) fn is_steady(self) -> bool {
-        matches!(self, Self::Cfd1 | Self::Fsi1)
+        matches!(self, Self::Cfd1 | Self::Cfd2 | Self::Fsi1)
     }
 
     /// When the flow is what is compared \[s\].
     pub(crate) fn settled(self) -> f64 {
         match self {
             Self::Cfd1 | Self::Fsi1 => 10.0,
-            Self::Cfd3 | Self::Fsi3 => 7.0,
+            Self::Cfd2 | Self::Cfd3 | Self::Fsi3 => 7.0,
         }
     }
 
@@ -82,7 +86,7 @@ impl Test {
     pub(crate) fn rubber(self) -> Option<Rubber> {
         let soft = |young| Some(Rubber { density: 1000.0, young, poisson: 0.4 });
         match self {
-            Self::Cfd1 | Self::Cfd3 => None,
+            Self::Cfd1 | Self::Cfd2 | Self::Cfd3 => None,
             Self::Fsi1 => soft(1.4e6),
             Self::Fsi3 => soft(5.6e6),
         }
@@ -92,6 +96,9 @@ impl Test {
         match self {
             Self::Cfd1 => {
                 Reference { ux: steady(0.0), uy: steady(0.0), drag: steady(14.29), lift: steady(1.119) }
+            }
+            Self::Cfd2 => {
+                Reference { ux: steady(0.0), uy: steady(0.0), drag: steady(136.7), lift: steady(10.53) }
             }
             Self::Cfd3 => Reference {
                 ux: steady(0.0),

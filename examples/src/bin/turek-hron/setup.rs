@@ -6,7 +6,8 @@ use mps_coupling::{ElasticBody, Fixed, Scene};
 use mps_examples::Failure;
 use mps_examples::solid::flag::{Clamp, RUBBER, THICKNESS, flag_of};
 use mps_fluid::{
-    Boundary, Fluid, FluidConfig, FluidParticles, Inlet, LaminarViscosity, Opening, Outlet, Slip, Tension,
+    Boundary, CompactViscosity, Fluid, FluidConfig, FluidParticles, Inlet, Opening, Outlet, PressureForm,
+    Shifting, Slip, Tension,
 };
 use mps_kernel::weights::WendlandGradient;
 use mps_kernel::{Real, Vector};
@@ -25,7 +26,7 @@ pub(crate) const CYLINDER: usize = 0;
 pub(crate) const FLAG: usize = 1;
 
 /// The channel.
-pub(crate) type Channel<T> = Scene<T, 2, WendlandGradient, LaminarViscosity<T>>;
+pub(crate) type Channel<T> = Scene<T, 2, WendlandGradient, CompactViscosity<T>>;
 /// The elastic flag.
 pub(crate) type Flag<T> = ElasticBody<T, 2, Ambient<SaintVenantKirchhoff<T>, T>>;
 
@@ -92,7 +93,7 @@ pub(crate) fn build<T: Real>(settings: &Settings, parallel: &Parallel) -> Result
 
 fn water<T: Real>(
     settings: &Settings,
-) -> Result<Fluid<T, 2, WendlandGradient, LaminarViscosity<T>>, Failure> {
+) -> Result<Fluid<T, 2, WendlandGradient, CompactViscosity<T>>, Failure> {
     let mut config = FluidConfig::water(T::of(settings.spacing), T::of(settings.sound_speed()));
     config.radius_ratio = T::of(settings.radius);
     config.cfl = T::of(settings.cfl);
@@ -100,10 +101,13 @@ fn water<T: Real>(
     config.collisions = None;
     let level = T::of(settings.level());
     config.background_pressure = level;
+    config.pressure_form = PressureForm::Corrected;
+    config.shifting = Some(Shifting { iterations: 1, ..Shifting::default() });
+    config.density_relaxation = T::of(0.01);
     let particles = FluidParticles::at_rest(geometry::water(settings));
     let mut boundary = Boundary::default();
     boundary.add_wall(&geometry::walls(settings), Slip::None);
-    let viscosity = |reference: &_| LaminarViscosity::new::<2>(T::of(VISCOSITY), reference);
+    let viscosity = |reference: &_| CompactViscosity::new::<2>(T::of(VISCOSITY), reference);
     let mut fluid = Fluid::new(config, WendlandGradient, viscosity, Open, particles, boundary)?;
     let mean = settings.test.inflow();
     fluid.add_inlet(Inlet::new(across_the_channel(0.0), move |place: &Vector<T, 2>, time: T| {
