@@ -3,7 +3,7 @@
 
 use mps_io::scene_file::{
     Clamp, InitialPressure, Material, Measure, Region, SceneError, SceneFile, Side, Slip, Source, Viscosity,
-    parse, schema,
+    parse, reference, schema,
 };
 use proptest::prelude::*;
 
@@ -125,4 +125,13 @@ proptest! {
             prop_assert!(error.to_string().starts_with("scene.toml:"), "{error}");
         }
     }
+}
+
+/// To bring the page up to date: `mps schema --reference`, between its two marks.
+#[test]
+fn the_page_about_scenes_has_every_key() {
+    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/scenes.md")).unwrap();
+    let (_, rest) = page.split_once("<!-- reference -->\n").unwrap();
+    let (written, _) = rest.split_once("<!-- end of reference -->").unwrap();
+    assert_eq!(written.trim(), reference().trim());
 }

@@ -13,7 +13,7 @@ const OVERLAP: f64 = 0.72;
 /// More than this multiple, and there is a gap; rounding to whole cells makes up to 1.5.
 const GAP: f64 = 1.55;
 /// How far a gap is looked for, in the same unit.
-const FAR: f64 = 3.0;
+const FAR: f64 = 4.0;
 /// Mach number from which the density varies by more than four percent.
 const MACH: f64 = 0.2;
 /// Particles across a body that give its bending stiffness to some percent.
@@ -58,6 +58,14 @@ struct Part<'a> {
     places: Vec<Place>,
     spacing: f64,
     name: &'a str,
+}
+
+impl Part<'_> {
+    /// Whether it touches fluid at this place.
+    fn is_near(&self, [x, y]: Place, l0: f64) -> bool {
+        let reach = GAP * 0.5 * (self.spacing + l0);
+        self.places.iter().any(|[a, b]| (a - x).hypot(b - y) < reach)
+    }
 }
 
 fn contacts(
@@ -105,7 +113,7 @@ fn contacts(
                 let remedy = "move one of them, take one from the other (difference), give the line of a wall the other \
                               direction (fluid is on its left), or a spacing of which the lengths are multiples";
                 found.refusals.push(source.problem(&body.key, what, remedy));
-            } else if apart > GAP * unit {
+            } else if apart > GAP * unit && !rigid.iter().any(|third| third.is_near(near.place, l0)) {
                 let gap = apart - unit;
                 let what =
                     format!("leaves a gap of {gap:.2e} m to {name} ({}) near ({x:.4}, {y:.4})", other.key);

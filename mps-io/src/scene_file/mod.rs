@@ -12,6 +12,7 @@
 //! | `fluid`, `walls`, `solids` | what there is |
 //! | `probes`, `output` | what is measured and written |
 //! | `source`, `suggest` | where a key is, and which one was meant |
+//! | `reference` | a table of all keys |
 //! | `check/*` | what is refused before anything is built |
 
 mod check;
@@ -19,6 +20,7 @@ mod fluid;
 mod inside;
 mod output;
 mod probes;
+mod reference;
 mod region;
 mod scene;
 mod solids;
@@ -31,6 +33,7 @@ pub use fluid::{
 };
 pub use output::Output;
 pub use probes::{DisplacementProbe, FrontProbe, LevelProbe, Measure, PressureProbe, Probe, Way};
+pub use reference::reference;
 pub use region::{Corners, Disc, Point, Region};
 pub use scene::{SceneFile, parse, read, schema};
 pub use solids::{Clamp, Elasticity, InitialVelocity, Material, Side, Solid};

@@ -107,6 +107,23 @@ fn reworded(source: &Source, error: &toml::de::Error) -> Problem {
                 if key.is_empty() || key.ends_with(typed) { String::new() } else { format!(" in {key}") };
             source.problem_at(span, typed, format!("{what} here{inside}"), advice(typed, &allowed))
         }
-        _ => source.problem_at(span, &key, message, "see docs/scenes.md for the form of a scene"),
+        _ => match message.strip_prefix("invalid type: ").and_then(|rest| rest.split_once(", expected ")) {
+            Some((found, wanted)) => {
+                source.problem_at(span, &key, format!("is the {found}"), wanted_words(wanted))
+            }
+            None => source.problem_at(span, &key, message, "see docs/scenes.md for the form of a scene"),
+        },
+    }
+}
+
+/// What to give, from the words of serde.
+fn wanted_words(wanted: &str) -> String {
+    match wanted {
+        "f64" => "give a number".to_owned(),
+        "u32" | "usize" => "give a whole number".to_owned(),
+        "a sequence" => "give a list, a point as [0.0, 1.0]".to_owned(),
+        "a string" => "give a text in double quotes".to_owned(),
+        "a boolean" => "give true or false".to_owned(),
+        other => format!("give {}", other.replace("struct", "a table with the keys of")),
     }
 }

@@ -11,7 +11,7 @@ pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 }
 
 /// "did you mean `this`?" if something is close, else what there is.
-pub(super) fn advice<'a>(word: &str, candidates: &[&'a str]) -> String {
+pub(super) fn advice(word: &str, candidates: &[&str]) -> String {
     match closest(word, candidates.iter().copied()) {
         Some(meant) => format!("did you mean `{meant}`?"),
         None if candidates.is_empty() => "leave it out".to_owned(),

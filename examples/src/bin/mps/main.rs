@@ -31,7 +31,11 @@ enum Command {
     /// Say what a run will be and cost, measured by its first steps
     Plan(Run),
     /// Print the JSON Schema of scene files, for editors that complete and check them
-    Schema,
+    Schema {
+        /// A table of all keys in Markdown instead
+        #[arg(long)]
+        reference: bool,
+    },
 }
 
 #[derive(Args, Clone, Debug)]
@@ -67,8 +71,10 @@ fn main() -> ExitCode {
                 ));
             })
         }
-        Command::Schema => {
-            say(&format!("{:#}\n", scene_file::schema()));
+        Command::Schema { reference } => {
+            let schema =
+                if reference { scene_file::reference() } else { format!("{:#}\n", scene_file::schema()) };
+            say(&schema);
             Ok(())
         }
     };

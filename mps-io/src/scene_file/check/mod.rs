@@ -9,7 +9,7 @@ use super::source::{Problem, SceneError, Source};
 use toml::de::DeValue;
 
 /// Cells of a lattice beyond which a region is refused: more would not fit into memory.
-const MOST_CELLS: f64 = 2e7;
+const MOST_CELLS: f64 = 5e6;
 
 /// Collects what is wrong.
 struct Checker<'a> {
@@ -40,7 +40,7 @@ impl Checker<'_> {
     fn point(&mut self, point: &[f64], key: &str) -> bool {
         let (found, wanted) = (point.len(), self.dimension);
         let good = found == wanted;
-        self.unless(good, key, format!("has {found} numbers"), format!("give {wanted}, one per dimension"));
+        self.unless(good, key, format!("has {found} of {wanted} numbers"), "give one number per dimension");
         good
     }
 

@@ -58,7 +58,7 @@ impl Checker<'_> {
         if points == [true, true] {
             for (axis, name) in ["x", "y", "z"].iter().enumerate().take(self.dimension) {
                 let length = upper[axis] - lower[axis];
-                let what = format!("has the thickness {length} m along {name}");
+                let what = format!("has the thickness {length:.3e} m along {name}");
                 self.unless(
                     length > 0.0,
                     key,
