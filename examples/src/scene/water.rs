@@ -15,6 +15,9 @@ use mps_neighbors::Open;
 /// The fluid of a scene.
 pub(super) type Water<T, K> = physics::Fluid<T, 2, K, Viscous<T>>;
 
+/// A fluid with its walls, and those of them that move.
+type Filled<T, K> = (Water<T, K>, Vec<Mover<T>>);
+
 /// The parameters of the fluid.
 pub(super) fn config<T: Real>(fluid: &Fluid, gravity: &[f64]) -> FluidConfig<T, 2> {
     let numerics = &fluid.numerics;
@@ -57,7 +60,7 @@ pub(super) fn water<T: Real, K: Kernel<T>>(
     fluid: &Fluid,
     layout: &Layout,
     weight: K,
-) -> Result<(Water<T, K>, Vec<Mover<T>>), Failure> {
+) -> Result<Filled<T, K>, Failure> {
     let config = config::<T>(fluid, &scene.gravity);
     let places: Vec<_> = layout.fluid.iter().flat_map(|body| vectors(body)).collect();
     let mut particles = FluidParticles::at_rest(places);

@@ -19,7 +19,7 @@ pub(super) type Elastic<T> = ElasticBody<T, 2, Law<T>>;
 /// A scene that can be stepped.
 pub enum World<T: Real, K: Kernel<T>> {
     /// With fluid.
-    Wet(Wet<T, K>),
+    Wet(Box<Wet<T, K>>),
     /// Bodies alone.
     Dry(Dry<T>),
 }
@@ -60,7 +60,7 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
         for (body, solid) in bodies.into_iter().zip(&scene.solids) {
             wet.add_structure(parallel, Box::new(body), slip(solid.slip))?;
         }
-        Ok(Self::Wet(Wet { scene: wet, movers, last_dt: 0.0 }))
+        Ok(Self::Wet(Box::new(Wet { scene: wet, movers, last_dt: 0.0 })))
     }
 
     /// One step of the fluid, or of bodies alone one interval of the table of probes; returns the length of a step
