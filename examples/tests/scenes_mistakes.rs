@@ -117,6 +117,15 @@ const MISTAKES: &[(&str, &str, &str, &str)] = &[
         "scene.toml:19:43: walls[0].shape.line[2] turns the line by 137 degrees: cut the corner with one more point: at most \
          135 degrees",
     ),
+    (
+        "two bodies in one place",
+        "[[probes]]\nname = \"top of the gate\"",
+        "[[solids]]\nname = \"post\"\nregion = { box = { lower = [0.203, 0.13], upper = [0.215, 0.15] } }\nspacing = 3e-3\n\
+         density = 1100\nmaterial = { corotational = { youngs_modulus = 2e6, poissons_ratio = 0.3 } }\n\n\
+         [[probes]]\nname = \"top of the gate\"",
+        "scene.toml:24:10: solids[0].region overlaps the body post near (0.2045, 0.1316): move one of them, or make one body of \
+         both (union)",
+    ),
 ];
 
 #[test]

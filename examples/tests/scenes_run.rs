@@ -61,7 +61,7 @@ fn every_scene_is_good_without_a_warning_and_runs() {
         assert_eq!(summary.status, "completed");
         count += 1;
     }
-    assert!(count >= 7, "{count} scenes");
+    assert!(count >= 8, "{count} scenes");
 }
 
 #[test]

@@ -49,6 +49,7 @@ pub fn diagnose(
     speeds(scene, source, layout, &mut found);
     support(scene, source, layout, &mut found);
     contacts(scene, source, layout, parallel, &mut found)?;
+    bodies_apart(scene, source, layout, parallel, &mut found)?;
     Ok(found)
 }
 
@@ -119,6 +120,30 @@ fn contacts(
                     format!("leaves a gap of {gap:.2e} m to {name} ({}) near ({x:.4}, {y:.4})", other.key);
                 let remedy = "fluid will fall through it at once: close it, or make it wider if it is meant";
                 found.warnings.push(source.problem(&body.key, what, remedy));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Bodies know nothing of each other: they would pass through one another.
+fn bodies_apart(
+    scene: &SceneFile,
+    source: &Source,
+    layout: &Layout,
+    parallel: &Parallel,
+    found: &mut Diagnosis,
+) -> Result<(), Failure> {
+    let bodies: Vec<_> = scene.solids.iter().zip(&layout.solids).enumerate().collect();
+    let places = |points: &[(Place, bool)]| points.iter().map(|(place, _)| *place).collect::<Vec<_>>();
+    for (k, (solid, points)) in &bodies {
+        for (other, other_points) in bodies[k + 1..].iter().map(|(_, body)| body) {
+            let reach = OVERLAP * 0.5 * (solid.spacing + other.spacing);
+            if let Some(near) = nearest(&places(points), &places(other_points), reach, parallel)? {
+                let [x, y] = near.place;
+                let what = format!("overlaps the body {} near ({x:.4}, {y:.4})", other.name);
+                let remedy = "move one of them, or make one body of both (union)";
+                found.refusals.push(source.problem(&format!("solids[{k}].region"), what, remedy));
             }
         }
     }

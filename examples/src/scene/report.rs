@@ -19,9 +19,12 @@ pub(super) fn plots<T: Real>(dir: &Path, scene: &SceneFile, observer: &Observer<
             .line(name, &time, &observer.column(k))
             .write_png(dir.join(format!("probe_{file}.png")))?;
     }
-    let mut energies = CurvePlot::new(&scene.title, "time [s]", "energy [J/m]");
+    // Where zero of a potential lies has no meaning: what counts is the change.
+    let mut energies = CurvePlot::new(&scene.title, "time [s]", "energy since the start [J/m]");
     for k in observer.measured..observer.names.len() {
-        let (name, column) = (&observer.names[k], observer.column(k));
+        let (name, mut column) = (&observer.names[k], observer.column(k));
+        let start = column.first().copied().unwrap_or(0.0);
+        column.iter_mut().for_each(|value| *value -= start);
         if name.ends_with("[J/m]") && column.iter().any(|value| *value != 0.0) {
             energies = energies.line(name.trim_end_matches(" [J/m]"), &time, &column);
         }
