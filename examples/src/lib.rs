@@ -1,10 +1,13 @@
 //! Shared parts of the example programs: the flags they have in common, how a run is refused, the time loop and when
 //! something is due in it, what is read off a series, and the closing words. The bodies that several programs
-//! move are in [`solid`].
+//! move are in [`solid`]; scene files become scenes in [`scene`].
 
 mod cli;
 mod conclusion;
+mod connected;
 mod recording;
+mod released_column;
+pub mod scene;
 mod schedule;
 pub mod series;
 pub mod solid;
@@ -12,7 +15,9 @@ mod words;
 
 pub use cli::{Common, Precision, Refused};
 pub use conclusion::{Cost, conclude, enter_results, exit_code};
+pub use connected::{GAP, connected};
 pub use recording::{Recorded, record};
+pub use released_column::released_column;
 pub use schedule::{Due, Moments};
 pub use words::{closing_words, report_failure};
 

@@ -13,6 +13,11 @@ impl Due {
         Self { interval, next: 0.0 }
     }
 
+    /// At no time.
+    pub fn never() -> Self {
+        Self { interval: f64::INFINITY, next: f64::INFINITY }
+    }
+
     /// Whether it is to happen now; if so, it will be due again an interval later.
     pub fn is_due(&mut self, time: f64) -> bool {
         let due = time >= self.next;

@@ -1,4 +1,4 @@
-//! Fields for ParaView, CSV probes, PNG plots, progress and run summaries.
+//! Fields for ParaView, CSV probes, PNG plots, progress, run summaries and scene files.
 //!
 //! This crate watches a simulation, reads and writes; it never steers. It knows the vectors and
 //! tensors of `mps-kernel` and nothing of fluids, solids or time steps.
@@ -11,6 +11,7 @@
 //! - [`FieldPicture`], [`Film`]: particles coloured by pressure or strain, stills and animated PNG.
 //! - [`Progress`]: how far a run is and when it will be done.
 //! - [`Summary`], [`Metric`]: `summary.json`, the record of a run.
+//! - [`scene_file`]: scenes as text, read, checked and written.
 //!
 //! Everything that replaces a file does so whole or not at all, so that a reader never meets half a
 //! file; what grows (tables, films) is complete after every piece. A killed run keeps its results.
@@ -22,6 +23,7 @@ pub mod picture;
 mod plot;
 mod progress;
 mod raster;
+pub mod scene_file;
 mod summary;
 pub mod vtk;
 

@@ -1,6 +1,7 @@
 //! Where the water is: its front on the bed and its level at the gauges. Spray does not count.
 
 use crate::setup::{HEIGHT, LENGTH, TANK};
+use mps_examples::{GAP, connected};
 use mps_kernel::{Real, Vector};
 
 /// Distance of the level gauges from the back wall \[m\]: 300, 865, 1114 and 1362 mm in the experiment.
@@ -8,8 +9,6 @@ pub(crate) const GAUGES: [f64; 4] =
     [HEIGHT * 300.0 / 300.0, HEIGHT * 865.0 / 300.0, HEIGHT * 1114.0 / 300.0, HEIGHT * 1362.0 / 300.0];
 /// The front is looked for below this height \[m\].
 const BED: f64 = 0.1 * HEIGHT;
-/// Empty space that ends the water, over the spacing.
-const GAP: f64 = 2.5;
 
 /// How far the water has come along the bed \[m\], from where the gate was; at most to the wall.
 pub(crate) fn front<T: Real>(positions: &[Vector<T, 2>], l0: f64) -> f64 {
@@ -23,19 +22,6 @@ pub(crate) fn levels<T: Real>(positions: &[Vector<T, 2>], l0: f64) -> [f64; 4] {
         let near = positions.iter().filter(|r| (r[0].to_double() - gauge).abs() < 2.0 * l0);
         connected(near.map(|r| r[1].to_double()).collect(), -0.5 * l0, l0)
     })
-}
-
-/// End of the particles that follow `start` without a gap.
-fn connected(mut along: Vec<f64>, start: f64, l0: f64) -> f64 {
-    along.sort_unstable_by(f64::total_cmp);
-    let mut end = start;
-    for x in along {
-        if x > end + GAP * l0 {
-            break;
-        }
-        end = x;
-    }
-    end + 0.5 * l0
 }
 
 #[cfg(test)]

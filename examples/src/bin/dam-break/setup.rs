@@ -1,6 +1,6 @@
 //! Geometry and numerics of case 2: a column of water let go in a closed tank.
 
-use mps_examples::Failure;
+use mps_examples::{Failure, released_column};
 use mps_fluid::{
     ArtificialViscosity, Boundary, Diffusion, Dpc, EquationOfState, Fluid, FluidConfig, FluidError,
     FluidParticles, PressureForm, Shifting, Slip, Tension,
@@ -177,24 +177,9 @@ impl<T: Real, K: Kernel<T>> DamBreak<T, K> {
     }
 }
 
-/// Pressure \[Pa\] in the column at the moment the gate is gone: harmonic, zero on both open faces, and with the
-/// slopes of a fluid at rest on the bed and the back wall.
-///
-/// Started with the pressure it had behind the gate, the water would first have to become rid of the difference as
-/// sound of up to `rho g H`, which rings in the tank until the end.
+/// Pressure \[Pa\] in the column at the moment the gate is gone.
 fn pressure_when_released(x: f64, y: f64) -> f64 {
-    const TERMS: u32 = 400;
-    let series: f64 = (0..TERMS)
-        .map(|n| {
-            let m = std::f64::consts::PI * f64::from(2 * n + 1);
-            let k = m / (2.0 * HEIGHT);
-            // cosh(k x)/cosh(k L), which would overflow
-            let ratio =
-                ((k * (x - LENGTH)).exp() + (-k * (x + LENGTH)).exp()) / (1.0 + (-2.0 * k * LENGTH).exp());
-            8.0 * HEIGHT / (m * m) * (k * y).cos() * ratio
-        })
-        .sum();
-    DENSITY * GRAVITY * (HEIGHT - y - series)
+    DENSITY * GRAVITY * released_column(HEIGHT, LENGTH, x, y)
 }
 
 /// Bed and back wall: layers of points as deep as the effective radius.
@@ -229,24 +214,6 @@ fn fill<T: Real>(lower: [f64; 2], upper: [f64; 2], l0: f64) -> Vec<Vector<T, 2>>
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_pressure_when_released_is_harmonic_and_vanishes_where_the_column_is_open() {
-        let (p, h) = (pressure_when_released, 1e-3);
-        let scale = PRESSURE;
-        for (x, y) in [(0.3, 0.2), (0.9, 0.4), (1.1, 0.1)] {
-            let laplace = p(x + h, y) + p(x - h, y) + p(x, y + h) + p(x, y - h) - 4.0 * p(x, y);
-            assert!(laplace.abs() < 1e-7 * scale, "{laplace}");
-            assert!(p(x, HEIGHT).abs() < 1e-9 * scale && p(LENGTH, y).abs() < 2e-4 * scale);
-            // Slopes of rest on the bed and none across the back wall.
-            let slope = (p(x, h) - p(x, 0.0)) / h;
-            assert!((slope / (DENSITY * GRAVITY) + 1.0).abs() < 5e-3, "{slope}");
-            assert!((p(h, y) - p(0.0, y)).abs() < 1e-4 * scale);
-        }
-        // Far from the gate it is that of the column at rest.
-        let weight = DENSITY * GRAVITY * (HEIGHT - 0.1);
-        assert!((p(0.0, 0.1) / weight - 1.0).abs() < 0.1);
-    }
 
     #[test]
     fn the_unit_of_time_is_the_root_it_stands_for() {

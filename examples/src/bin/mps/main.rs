@@ -1,0 +1,132 @@
+//! Runs scenes that are written down in files.
+
+use clap::{Args, Parser, Subcommand};
+use mps_examples::scene::{Diagnosis, Layout, diagnose, plan, run};
+use mps_examples::{Common, Failure, Refused, exit_code};
+use mps_io::scene_file::{self, SceneError, SceneFile};
+use mps_neighbors::Parallel;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Particle simulation of flow that meets deforming structures: runs scene files.
+///
+/// A scene file describes geometry, materials, numerics, probes and output in TOML; docs/scenes.md is a tutorial, and
+/// examples/scenes has scenes to start from.
+#[derive(Parser, Clone, Debug)]
+#[command(name = "mps", version)]
+struct Options {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand, Clone, Debug)]
+enum Command {
+    /// Run a scene and write its results
+    Run(Run),
+    /// Say what is wrong with a scene, without running it
+    Check {
+        /// The scene file
+        scene: PathBuf,
+    },
+    /// Say what a run will be and cost, measured by its first steps
+    Plan(Run),
+    /// Print the JSON Schema of scene files, for editors that complete and check them
+    Schema {
+        /// A table of all keys in Markdown instead
+        #[arg(long)]
+        reference: bool,
+    },
+}
+
+#[derive(Args, Clone, Debug)]
+struct Run {
+    /// The scene file
+    scene: PathBuf,
+    /// Simulated time (s), instead of that of the scene
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    end_time: Option<f64>,
+    #[command(flatten)]
+    common: Common,
+}
+
+fn main() -> ExitCode {
+    let done = match Options::parse().command {
+        Command::Run(options) => Loaded::of(&options).and_then(|loaded| {
+            let Loaded { scene, layout, .. } = loaded.without_refusals()?;
+            run(&scene, &layout, name(&options.scene), &options.common)
+        }),
+        Command::Plan(options) => Loaded::of(&options).and_then(|loaded| {
+            let loaded = loaded.without_refusals()?;
+            say(&plan(&loaded.scene, &loaded.layout, &loaded.diagnosis, &options.common)?);
+            Ok(())
+        }),
+        Command::Check { scene } => {
+            Loaded::read(&scene, None).and_then(Loaded::without_refusals).map(|loaded| {
+                let layout = &loaded.layout;
+                let counts = [layout.fluid_len(), layout.walls_len(), layout.solids_len()];
+                let [fluid, walls, solids] = counts;
+                say(&format!(
+                    "{}: good, {fluid} particles of fluid, {walls} of walls, {solids} of bodies\n",
+                    scene.display()
+                ));
+            })
+        }
+        Command::Schema { reference } => {
+            let schema =
+                if reference { scene_file::reference() } else { format!("{:#}\n", scene_file::schema()) };
+            say(&schema);
+            Ok(())
+        }
+    };
+    exit_code(done)
+}
+
+/// A scene that was read, filled with particles and examined.
+struct Loaded {
+    scene: SceneFile,
+    layout: Layout,
+    diagnosis: Diagnosis,
+}
+
+impl Loaded {
+    fn of(options: &Run) -> Result<Self, Failure> {
+        options.common.check()?;
+        Self::read(&options.scene, options.end_time)
+    }
+
+    fn read(path: &Path, end_time: Option<f64>) -> Result<Self, Failure> {
+        let (mut scene, source) = scene_file::read(path)?;
+        if let Some(end) = end_time {
+            let good = end.is_finite() && end > 0.0;
+            Refused::unless(good, "--end-time", end, "give the simulated time in seconds")?;
+            scene.end_time = end;
+        }
+        let layout = Layout::new(&scene, &source)?;
+        let diagnosis = diagnose(&scene, &source, &layout, &Parallel::all_cores()?)?;
+        Ok(Self { scene, layout, diagnosis })
+    }
+
+    /// Warns, and refuses what cannot be run.
+    fn without_refusals(self) -> Result<Self, Failure> {
+        for warning in &self.diagnosis.warnings {
+            warn(&warning.to_string());
+        }
+        let refusals = &self.diagnosis.refusals;
+        if refusals.is_empty() { Ok(self) } else { Err(SceneError::Refused(refusals.clone()).into()) }
+    }
+}
+
+/// The name of a scene is that of its file.
+fn name(path: &Path) -> &str {
+    path.file_stem().and_then(|stem| stem.to_str()).unwrap_or("scene")
+}
+
+#[allow(clippy::print_stdout, reason = "a program talks to its user")]
+fn say(text: &str) {
+    print!("{text}");
+}
+
+#[allow(clippy::print_stderr, reason = "a program talks to its user")]
+fn warn(text: &str) {
+    eprintln!("warning: {text}");
+}

@@ -1,0 +1,182 @@
+//! Fields for ParaView, pictures and the film.
+
+use super::World;
+use crate::Failure;
+use mps_fluid::surface::Surface;
+use mps_io::scene_file::{Corners, SceneFile};
+use mps_io::{ColorMap, FieldOptions, FieldPicture, FieldWriter, Film, PointCloud, View};
+use mps_kernel::tensor::{green_lagrange, largest_eigenvalue};
+use mps_kernel::{Kernel, Real, Vector};
+use mps_neighbors::Parallel;
+use std::path::{Path, PathBuf};
+
+/// Width of the pictures \[pixels\].
+const WIDTH: u32 = 1100;
+const GREY: [u8; 3] = [150, 150, 150];
+
+/// Writes the state of a scene in all forms.
+pub(super) struct Fields {
+    dir: PathBuf,
+    title: String,
+    water: FieldWriter,
+    solids: Vec<FieldWriter>,
+    film: Option<Film>,
+    view: View,
+    pressure_scale: f64,
+    strain_scale: f64,
+    surface: Vec<Surface>,
+}
+
+impl Fields {
+    pub(super) fn new<T: Real, K: Kernel<T>>(
+        dir: &Path,
+        scene: &SceneFile,
+        world: &World<T, K>,
+    ) -> Result<Self, Failure> {
+        let fields = dir.join("fields");
+        let writer = |name: &str| FieldWriter::new(&fields, name, FieldOptions::default());
+        if let Some(fluid) = world.fluid() {
+            let walls = &fluid.boundary().position[..fluid.boundary().reactive().start];
+            writer("walls")?.write(0.0, &PointCloud::new(walls))?;
+        }
+        let output = &scene.output;
+        let solid_names = scene.solids.iter().map(|solid| writer(&format!("solid {}", solid.name)));
+        Ok(Self {
+            dir: dir.to_path_buf(),
+            title: scene.title.clone(),
+            water: writer("water")?,
+            solids: solid_names.collect::<Result<_, _>>()?,
+            film: None,
+            view: view(scene, world),
+            pressure_scale: output.pressure_scale.unwrap_or_else(|| pressure_scale(scene, world)),
+            strain_scale: output.strain_scale.unwrap_or(0.1),
+            surface: Vec::new(),
+        })
+    }
+
+    /// One frame of `water.pvd` and of one collection a body.
+    pub(super) fn write<T: Real, K: Kernel<T>>(
+        &mut self,
+        world: &mut World<T, K>,
+        parallel: &Parallel,
+    ) -> Result<(), Failure> {
+        let time = world.time();
+        if let Some(scene) = world.coupled_mut() {
+            scene.update_interfaces(parallel);
+            scene.fluid_mut().classify_surface(parallel, &mut self.surface)?;
+            let surface: Vec<u32> = self.surface.iter().map(|&s| s as u32).collect();
+            let (fluid, particles) = (scene.fluid(), scene.fluid().particles());
+            self.water.write(
+                time,
+                &PointCloud::new(&particles.position)
+                    .vector("velocity", &particles.velocity)
+                    .scalar("pressure", &particles.pressure)
+                    .scalar("density ratio", &particles.density)
+                    .scalar("packing", fluid.packing())
+                    .integer("surface", &surface)
+                    .integer("id", &particles.id),
+            )?;
+        }
+        for (k, writer) in self.solids.iter_mut().enumerate() {
+            let Some(solid) = world.solid(k) else { continue };
+            let reference = solid.particles().reference_positions();
+            let displacement: Vec<_> =
+                solid.positions().iter().zip(reference).map(|(r, r0)| r - r0).collect();
+            let strain = principal_strains(world, k);
+            let mut cloud = PointCloud::new(solid.positions())
+                .vector("displacement", &displacement)
+                .vector("velocity", solid.velocities())
+                .scalar("principal strain", &strain);
+            if let Some(forces) = world.coupled().and_then(|scene| scene.forces(k)) {
+                cloud = cloud.vector("force of the fluid", forces);
+            }
+            writer.write(time, &cloud)?;
+        }
+        Ok(())
+    }
+
+    /// One frame of `film.png` if `frame`, and a picture of its own if `picture`.
+    pub(super) fn draw<T: Real, K: Kernel<T>>(
+        &mut self,
+        world: &World<T, K>,
+        [frame, picture]: [bool; 2],
+    ) -> Result<(), Failure> {
+        let time = world.time();
+        let mut drawn = FieldPicture::new(WIDTH, self.view).title(&self.title).time(time);
+        if let Some(fluid) = world.fluid() {
+            let (boundary, particles) = (fluid.boundary(), fluid.particles());
+            let radius = 0.6 * fluid.config().spacing.to_double();
+            let kilo = T::of(1e-3);
+            let pressure: Vec<T> = particles.pressure.iter().map(|&p| p * kilo).collect();
+            let range = (0.0, 1e-3 * self.pressure_scale);
+            drawn = drawn.plain(&boundary.position[..boundary.reactive().start], radius, GREY).layer(
+                &particles.position,
+                radius,
+                &pressure,
+                range,
+                ColorMap::Viridis,
+                "fluid: p [kPa]",
+            );
+        }
+        for k in 0..self.solids.len() {
+            let Some(solid) = world.solid(k) else { continue };
+            let radius = 0.6 * solid.spacing().max().to_double();
+            let label =
+                if k == 0 { "solids: largest strain [–]".to_owned() } else { format!("solid {}", k + 1) };
+            let strain = principal_strains(world, k);
+            drawn = drawn.layer(
+                solid.positions(),
+                radius,
+                &strain,
+                (0.0, self.strain_scale),
+                ColorMap::Plasma,
+                &label,
+            );
+        }
+        let image = drawn.render()?;
+        if picture {
+            image.write_png(self.dir.join(format!("picture_{:06.0}ms.png", time * 1e3)))?;
+        }
+        if frame {
+            let film = match &mut self.film {
+                Some(film) => film,
+                None => self.film.insert(Film::create(self.dir.join("film.png"), 20)?),
+            };
+            film.push(&image)?;
+        }
+        Ok(())
+    }
+}
+
+/// Largest principal value of the Green-Lagrange strain of every particle.
+fn principal_strains<T: Real, K: Kernel<T>>(world: &World<T, K>, k: usize) -> Vec<T> {
+    let Some(solid) = world.solid(k) else { return Vec::new() };
+    solid.particles().deformations().iter().map(|f| largest_eigenvalue(&green_lagrange(f))).collect()
+}
+
+/// What the scene asks for, or everything with a small margin.
+fn view<T: Real, K: Kernel<T>>(scene: &SceneFile, world: &World<T, K>) -> View {
+    if let Some(Corners { lower, upper }) = &scene.output.view {
+        return View::new(super::vector::<f64>(lower).into(), super::vector::<f64>(upper).into());
+    }
+    let fluid = world.fluid().into_iter();
+    let wet = fluid.flat_map(|fluid| fluid.particles().position.iter().chain(&fluid.boundary().position));
+    let solid = (0..scene.solids.len()).filter_map(|k| world.solid(k)).flat_map(|solid| solid.positions());
+    let (mut lower, mut upper) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for r in wet.chain(solid) {
+        let r: &Vector<T, 2> = r;
+        for axis in 0..2 {
+            lower[axis] = lower[axis].min(r[axis].to_double());
+            upper[axis] = upper[axis].max(r[axis].to_double());
+        }
+    }
+    let margin = 0.05 * (upper[0] - lower[0]).max(upper[1] - lower[1]);
+    View::new(lower.map(|x| x - margin), upper.map(|x| x + margin))
+}
+
+fn pressure_scale<T: Real, K: Kernel<T>>(scene: &SceneFile, world: &World<T, K>) -> f64 {
+    let (Some(fluid), Some(description)) = (world.fluid(), &scene.fluid) else { return 1.0 };
+    let largest = fluid.particles().pressure.iter().map(|p| p.to_double()).fold(0.0, f64::max);
+    let speed = 0.1 * description.sound();
+    if largest > 0.0 { largest } else { 0.5 * description.density * speed * speed }
+}

@@ -1,0 +1,118 @@
+//! All points of a scene, before any physics.
+
+use super::bodies::particles;
+use super::lattice::{Place, fill};
+use super::line::along;
+use mps_io::scene_file::{Problem, SceneError, SceneFile, Shape, Source, Wall};
+use mps_kernel::Real;
+
+/// Points of a scene, part by part in the order of its file.
+#[derive(Clone, Debug, Default)]
+pub struct Layout {
+    /// Particles of each body of fluid \[m\].
+    pub fluid: Vec<Vec<Place>>,
+    /// Points of each wall.
+    pub walls: Vec<Vec<Points>>,
+    /// Particles of each elastic body \[m\], and whether each is held.
+    pub solids: Vec<Vec<(Place, bool)>>,
+}
+
+/// Points of a wall that stand for the same volume each.
+#[derive(Clone, Debug)]
+pub struct Points {
+    /// Places \[m\].
+    pub places: Vec<Place>,
+    /// Volume of a point over that of a particle of the fluid.
+    pub volume: f64,
+}
+
+impl Layout {
+    /// Fills the regions and lines of a scene.
+    ///
+    /// # Errors
+    /// Every part that has no particles or cannot be a body, with the key of its region.
+    pub fn new(scene: &SceneFile, source: &Source) -> Result<Self, SceneError> {
+        let mut problems = Vec::new();
+        let mut layout = Self::default();
+        if let Some(fluid) = &scene.fluid {
+            let l0 = fluid.spacing;
+            layout.fluid = fluid.bodies.iter().map(|body| fill(&body.region, l0)).collect();
+            let depth = fluid.numerics.radius * l0;
+            layout.walls = scene.walls.iter().map(|wall| wall_points(wall, l0, depth)).collect();
+        }
+        for (k, solid) in scene.solids.iter().enumerate() {
+            match particles::<f64>(solid) {
+                Ok((particles, _)) => layout.solids.push(
+                    particles
+                        .reference_positions()
+                        .iter()
+                        .enumerate()
+                        .map(|(i, x)| ([x[0], x[1]], particles.is_clamped(i)))
+                        .collect(),
+                ),
+                Err(error) => problems.push(source.problem(
+                    &format!("solids[{k}].spacing"),
+                    "makes no body",
+                    error.to_string(),
+                )),
+            }
+        }
+        problems.extend(layout.empty_parts(source));
+        if problems.is_empty() { Ok(layout) } else { Err(SceneError::Refused(problems)) }
+    }
+
+    /// Parts of the scene without a single point.
+    fn empty_parts(&self, source: &Source) -> Vec<Problem> {
+        let fluid = self.fluid.iter().map(Vec::len).enumerate();
+        let walls = self.walls.iter().map(|wall| wall.iter().map(|p| p.places.len()).sum()).enumerate();
+        let solids = self.solids.iter().map(Vec::len).enumerate();
+        let named = |what: &'static str| move |(k, count): (usize, usize)| (format!("{what}[{k}]"), count);
+        let parts = fluid
+            .map(named("fluid.bodies"))
+            .chain(walls.map(named("walls")))
+            .chain(solids.map(named("solids")));
+        parts
+            .filter(|(_, count)| *count == 0)
+            .map(|(key, _)| {
+                let remedy = "it is thinner than half a spacing, or all of it is taken away: enlarge it or give a smaller spacing";
+                source.problem(&key, "has no particles", remedy)
+            })
+            .collect()
+    }
+
+    /// Number of particles of the fluid.
+    pub fn fluid_len(&self) -> usize {
+        self.fluid.iter().map(Vec::len).sum()
+    }
+
+    /// Number of points of the walls.
+    pub fn walls_len(&self) -> usize {
+        self.walls.iter().flatten().map(|points| points.places.len()).sum()
+    }
+
+    /// Number of particles of the elastic bodies.
+    pub fn solids_len(&self) -> usize {
+        self.solids.iter().map(Vec::len).sum()
+    }
+}
+
+fn wall_points(wall: &Wall, l0: f64, depth: f64) -> Vec<Points> {
+    let spacing = wall.fineness * l0;
+    let (line, closed) = match &wall.shape {
+        Shape::Region(region) => {
+            return vec![Points { places: fill(region, spacing), volume: wall.fineness * wall.fineness }];
+        }
+        Shape::Line(line) => (line, false),
+        Shape::Ring(line) => (line, true),
+    };
+    let corners: Vec<Place> = line.iter().map(|point| super::vector::<f64>(point).into()).collect();
+    along(&corners, closed, spacing, depth)
+        .into_iter()
+        .map(|side| Points { places: side.points, volume: side.area / (l0 * l0) })
+        .collect()
+}
+
+/// Places as vectors of the number type of the run.
+pub(super) fn vectors<T: Real>(places: &[Place]) -> Vec<mps_kernel::Vector<T, 2>> {
+    places.iter().map(|place| super::vector(place)).collect()
+}

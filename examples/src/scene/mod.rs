@@ -1,0 +1,45 @@
+//! From a scene file to a run.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `lattice`, `line` | points that fill regions and lie along walls |
+//! | `layout` | all points of a scene, before any physics |
+//! | `law`, `viscosity` | materials and viscosities by name |
+//! | `water`, `bodies`, `movers` | fluid, elastic bodies, moved walls |
+//! | `world` | what is stepped: fluid with bodies, or bodies alone |
+//! | `clearance`, `diagnosis` | what is wrong with a scene that can be seen before it runs |
+//! | `probes`, `observer`, `fields`, `run`, `report` | what is measured, written, and said |
+//! | `plan` | what a run will cost |
+
+mod bodies;
+mod clearance;
+mod diagnosis;
+mod fields;
+mod lattice;
+mod law;
+mod layout;
+mod line;
+mod movers;
+mod observer;
+mod plan;
+mod probes;
+mod report;
+mod run;
+mod viscosity;
+mod water;
+mod world;
+
+pub use diagnosis::{Diagnosis, diagnose};
+pub use law::Law;
+pub use layout::Layout;
+pub use plan::plan;
+pub use run::run;
+pub use viscosity::Viscous;
+pub use world::World;
+
+use mps_kernel::{Real, Vector};
+
+/// The number type of a run for a point of a scene file, whose dimension has been checked.
+fn vector<T: Real>(point: &[f64]) -> Vector<T, 2> {
+    Vector::from_fn(|axis, _| T::of(point.get(axis).copied().unwrap_or(0.0)))
+}

@@ -1,0 +1,198 @@
+//! What a run will be and cost, measured by its first steps.
+
+use super::{Diagnosis, Layout, World};
+use crate::{Common, Failure, Precision};
+use mps_io::scene_file::{Diffusion, SceneFile, Viscosity, Weight};
+use mps_kernel::weights::{Rational, WendlandGradient};
+use mps_kernel::{Kernel, Real};
+use mps_neighbors::Parallel;
+use std::fmt::Write;
+use std::time::Instant;
+
+/// Steps before the clock is started: memory is fetched, caches are filled.
+const WARM: usize = 3;
+/// Steps that are measured.
+const MEASURED: u32 = 20;
+/// Bytes of a particle of the fluid in a frame: position, velocity, four scalars and two integers, uncompressed.
+const FLUID_BYTES: f64 = 8.0 * 9.0 + 2.0 * 4.0;
+/// Bytes of a particle of a body in a frame: four vectors and a scalar.
+const SOLID_BYTES: f64 = 8.0 * 13.0;
+
+/// The plan of a scene that has been found good, as text.
+///
+/// # Errors
+/// If the scene cannot be built or breaks in its first steps.
+pub fn plan(
+    scene: &SceneFile,
+    layout: &Layout,
+    diagnosis: &Diagnosis,
+    common: &Common,
+) -> Result<String, Failure> {
+    match common.precision {
+        Precision::F32 => with_weight::<f32>(scene, layout, diagnosis, common),
+        Precision::F64 => with_weight::<f64>(scene, layout, diagnosis, common),
+    }
+}
+
+fn with_weight<T: Real>(
+    scene: &SceneFile,
+    layout: &Layout,
+    diagnosis: &Diagnosis,
+    common: &Common,
+) -> Result<String, Failure> {
+    match scene.fluid.as_ref().map(|fluid| fluid.numerics.weight) {
+        Some(Weight::Rational) => whole::<T, _>(scene, layout, diagnosis, common, Rational),
+        Some(Weight::Smooth) | None => whole::<T, _>(scene, layout, diagnosis, common, WendlandGradient),
+    }
+}
+
+fn whole<T: Real, K: Kernel<T>>(
+    scene: &SceneFile,
+    layout: &Layout,
+    diagnosis: &Diagnosis,
+    common: &Common,
+    weight: K,
+) -> Result<String, Failure> {
+    let parallel = common.parallel()?;
+    let mut world = World::<T, K>::new(scene, layout, weight, &parallel)?;
+    let mut text = String::new();
+    particles(&mut text, scene, layout, diagnosis);
+    physics(&mut text, scene);
+    let measured = parallel.install(|| measure(&mut world, &parallel))?;
+    steps(&mut text, scene, &world, diagnosis, &measured, &parallel);
+    cost(&mut text, scene, layout, &measured, parallel.threads());
+    Ok(text)
+}
+
+/// What the first steps have shown.
+struct Measured {
+    /// Mean length of a step \[s\].
+    dt: f64,
+    /// Seconds that one second of simulated time takes.
+    pace: f64,
+}
+
+fn measure<T: Real, K: Kernel<T>>(world: &mut World<T, K>, parallel: &Parallel) -> Result<Measured, Failure> {
+    for _ in 0..WARM {
+        world.step(parallel)?;
+    }
+    let (begin, first, clock) = (world.time(), world.steps(), Instant::now());
+    for _ in 0..MEASURED {
+        world.step(parallel)?;
+    }
+    let simulated = world.time() - begin;
+    let seconds = clock.elapsed().as_secs_f64();
+    Ok(Measured { dt: simulated / (world.steps() - first) as f64, pace: seconds / simulated })
+}
+
+// Writing into a String cannot fail, here and below.
+fn particles(text: &mut String, scene: &SceneFile, layout: &Layout, diagnosis: &Diagnosis) {
+    let (fluid, walls, solids) = (layout.fluid_len(), layout.walls_len(), layout.solids_len());
+    let _ = writeln!(text, "particles      {fluid} of fluid, {walls} of walls, {solids} of bodies");
+    for (solid, across) in scene.solids.iter().zip(&diagnosis.across) {
+        let _ = writeln!(text, "               {across:.1} across the thinnest side of {}", solid.name);
+    }
+}
+
+fn physics(text: &mut String, scene: &SceneFile) {
+    let (mut on, mut off) = (Vec::new(), Vec::new());
+    let mut say =
+        |active: bool, what: &str| if active { on.push(what.to_owned()) } else { off.push(what.to_owned()) };
+    say(scene.gravity.iter().any(|g| *g != 0.0), "gravity");
+    say(!scene.solids.is_empty(), "elastic bodies");
+    say(scene.walls.iter().any(|wall| wall.motion.is_some()), "moving walls");
+    if let Some(fluid) = &scene.fluid {
+        let numerics = &fluid.numerics;
+        say(matches!(fluid.viscosity, Viscosity::Artificial(alpha) if alpha > 0.0), "artificial viscosity");
+        say(matches!(fluid.viscosity, Viscosity::Laminar(nu) if nu > 0.0), "laminar viscosity");
+        say(numerics.diffusion != Diffusion::None, "density diffusion");
+        say(numerics.collisions, "collisions (DPC)");
+        say(numerics.shifting > 0, "shifting (icPS)");
+        say(numerics.background_pressure > 0.0, "background pressure");
+    } else {
+        say(false, "fluid");
+    }
+    for absent in ["contact of bodies", "surface tension", "turbulence model", "inlets and outlets"] {
+        say(false, absent);
+    }
+    let _ = writeln!(text, "active         {}", on.join(", "));
+    let _ = writeln!(text, "absent         {}", off.join(", "));
+}
+
+fn steps<T: Real, K: Kernel<T>>(
+    text: &mut String,
+    scene: &SceneFile,
+    world: &World<T, K>,
+    diagnosis: &Diagnosis,
+    measured: &Measured,
+    parallel: &Parallel,
+) {
+    if let Some(mach) = diagnosis.mach {
+        let _ =
+            writeln!(text, "Mach number    {mach:.2} expected, density within {:.1} %", 100.0 * mach * mach);
+    }
+    if let (Some(fluid), Some(description)) = (world.fluid(), &scene.fluid) {
+        let limit = limits(fluid, description).into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+        let (dt, by) = limit.unwrap_or((measured.dt, "sound"));
+        let _ = writeln!(text, "fluid step     {dt:.3e} s, limited by {by}");
+    }
+    for (k, solid) in scene.solids.iter().enumerate() {
+        let Some(body) = world.solid(k) else { continue };
+        let limit = body.max_step(parallel).to_double();
+        let _ = writeln!(text, "solid step     {limit:.3e} s of {}, limited by its stiffness", solid.name);
+    }
+    if world.fluid().is_some() && !scene.solids.is_empty() {
+        let _ = writeln!(text, "sub-steps      {} of the bodies in a step of the fluid", world.substeps());
+    }
+    let count = scene.end_time / measured.dt;
+    let _ = writeln!(text, "steps          {count:.0} of about {:.3e} s", measured.dt);
+}
+
+/// The limits of the step of the fluid (eq. 46) \[s\] and what each is due to.
+fn limits<T: Real, K: Kernel<T>>(
+    fluid: &super::water::Water<T, K>,
+    description: &mps_io::scene_file::Fluid,
+) -> [(f64, &'static str); 3] {
+    let (l0, c, cfl) = (description.spacing, description.sound(), description.numerics.cfl);
+    let fastest = fluid.particles().velocity.iter().map(|u| u.norm().to_double()).fold(0.0, f64::max);
+    let hardest = fluid.acceleration().iter().map(|a| a.norm().to_double()).fold(0.0, f64::max);
+    let nu = match description.viscosity {
+        Viscosity::None => 0.0,
+        Viscosity::Artificial(alpha) => alpha * c * l0 / 8.0,
+        Viscosity::Laminar(nu) => nu,
+    };
+    [
+        (cfl * l0 / (fastest + c), "sound"),
+        (cfl * 0.125 * l0 * l0 / nu, "viscosity"),
+        (cfl * (l0 / hardest).sqrt(), "acceleration"),
+    ]
+}
+
+fn cost(text: &mut String, scene: &SceneFile, layout: &Layout, measured: &Measured, threads: usize) {
+    let [_, _, interval, _] = scene.output.intervals(scene.end_time);
+    let fields = if interval > 0.0 { (scene.end_time / interval).floor() + 1.0 } else { 0.0 };
+    let frame = layout.fluid_len() as f64 * FLUID_BYTES + layout.solids_len() as f64 * SOLID_BYTES;
+    let _ = writeln!(
+        text,
+        "fields         {fields:.0} frames, at most {:.1} MB before compression",
+        fields * frame * 1e-6
+    );
+    if let Some(bytes) = mps_io::peak_memory_bytes() {
+        let _ = writeln!(text, "memory         {:.0} MB", bytes as f64 * 1e-6);
+    }
+    let seconds = scene.end_time * measured.pace;
+    let _ = writeln!(
+        text,
+        "wall time      about {} on {threads} threads, from {MEASURED} steps at the start",
+        duration(seconds)
+    );
+}
+
+/// A duration in the unit one would say it in.
+fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 120.0 => format!("{s:.1} s"),
+        s if s < 7200.0 => format!("{:.0} minutes", s / 60.0),
+        s => format!("{:.1} hours", s / 3600.0),
+    }
+}

@@ -1,0 +1,62 @@
+//! The plots and the summary of a run.
+
+use super::Layout;
+use super::observer::Observer;
+use crate::Failure;
+use crate::series::extremes;
+use mps_io::scene_file::SceneFile;
+use mps_io::{CurvePlot, Metric, Summary};
+use mps_kernel::Real;
+use std::path::Path;
+
+/// A curve of every probe, and of the energies.
+pub(super) fn plots<T: Real>(dir: &Path, scene: &SceneFile, observer: &Observer<T>) -> Result<(), Failure> {
+    let time = observer.column(0);
+    for k in 1..observer.measured {
+        let name = &observer.names[k];
+        let file = name.split(" [").next().unwrap_or(name).replace(' ', "_");
+        CurvePlot::new(&scene.title, "time [s]", name)
+            .line(name, &time, &observer.column(k))
+            .write_png(dir.join(format!("probe_{file}.png")))?;
+    }
+    // Where zero of a potential lies has no meaning: what counts is the change.
+    let mut energies = CurvePlot::new(&scene.title, "time [s]", "energy since the start [J/m]");
+    for k in observer.measured..observer.names.len() {
+        let (name, mut column) = (&observer.names[k], observer.column(k));
+        let start = column.first().copied().unwrap_or(0.0);
+        column.iter_mut().for_each(|value| *value -= start);
+        if name.ends_with("[J/m]") && column.iter().any(|value| *value != 0.0) {
+            energies = energies.line(name.trim_end_matches(" [J/m]"), &time, &column);
+        }
+    }
+    Ok(energies.write_png(dir.join("energies.png"))?)
+}
+
+/// Settings and results; what the run has cost is entered later.
+pub(super) fn summary<T: Real>(
+    name: &str,
+    scene: &SceneFile,
+    layout: &Layout,
+    observer: &Observer<T>,
+) -> Summary {
+    let mut summary = Summary::new("mps", env!("CARGO_PKG_VERSION"));
+    summary.set("scene", name);
+    summary.set("description", scene);
+    summary.particles.insert("fluid".into(), layout.fluid_len() as u64);
+    summary.particles.insert("wall".into(), layout.walls_len() as u64);
+    summary.particles.insert("structure".into(), layout.solids_len() as u64);
+    for k in 1..observer.measured {
+        let column = observer.column(k);
+        let (name, unit) = observer.names[k].rsplit_once(" [").unwrap_or((&observer.names[k], "-]"));
+        let mut put = |what: &str, value: f64| {
+            let metric = Metric::new(value, unit.trim_end_matches(']'));
+            summary.metrics.insert(format!("{name} {what}"), metric);
+        };
+        if let (Some([low, high]), Some(last)) = (extremes(&column), column.last()) {
+            put("smallest", low);
+            put("largest", high);
+            put("at the end", *last);
+        }
+    }
+    summary
+}

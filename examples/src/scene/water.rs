@@ -1,0 +1,114 @@
+//! Fluid and walls from their description.
+
+use super::layout::{Layout, vectors};
+use super::movers::Mover;
+use super::{Viscous, vector};
+use crate::{Failure, released_column};
+use mps_fluid as physics;
+use mps_fluid::{Boundary, Dpc, EquationOfState, FluidConfig, FluidParticles, Shifting};
+use mps_io::scene_file::{
+    Body, Corners, Diffusion, Fluid, InitialPressure, PressureForm, SceneFile, Slip, Tension,
+};
+use mps_kernel::{Kernel, Real, Vector};
+use mps_neighbors::Open;
+
+/// The fluid of a scene.
+pub(super) type Water<T, K> = physics::Fluid<T, 2, K, Viscous<T>>;
+
+/// A fluid with its walls, and those of them that move.
+type Filled<T, K> = (Water<T, K>, Vec<Mover<T>>);
+
+/// The parameters of the fluid.
+pub(super) fn config<T: Real>(fluid: &Fluid, gravity: &[f64]) -> FluidConfig<T, 2> {
+    let numerics = &fluid.numerics;
+    FluidConfig {
+        density: T::of(fluid.density),
+        radius_ratio: T::of(numerics.radius),
+        gravity: vector(gravity),
+        diffusion: match numerics.diffusion {
+            Diffusion::Filter(delta) if delta > 0.0 => physics::Diffusion::Filter { delta: T::of(delta) },
+            Diffusion::None | Diffusion::Filter(_) => physics::Diffusion::None,
+            Diffusion::Hydrostatic => physics::Diffusion::Hydrostatic,
+        },
+        cfl: T::of(numerics.cfl),
+        tension: match numerics.tension {
+            Tension::Clip => physics::Tension::Clip,
+            Tension::Keep => physics::Tension::Keep,
+        },
+        background_pressure: T::of(numerics.background_pressure),
+        pressure_form: match numerics.pressure_form {
+            PressureForm::Plain => physics::PressureForm::Plain,
+            PressureForm::Corrected => physics::PressureForm::Corrected,
+        },
+        collisions: numerics.collisions.then(Dpc::default),
+        shifting: (numerics.shifting > 0)
+            .then(|| Shifting { iterations: numerics.shifting, ..Shifting::default() }),
+        ..FluidConfig::water(T::of(fluid.spacing), T::of(fluid.sound()))
+    }
+}
+
+pub(super) fn slip(slip: Slip) -> physics::Slip {
+    match slip {
+        Slip::Free => physics::Slip::Free,
+        Slip::None => physics::Slip::None,
+    }
+}
+
+/// The fluid with its walls, and the walls that move.
+pub(super) fn water<T: Real, K: Kernel<T>>(
+    scene: &SceneFile,
+    fluid: &Fluid,
+    layout: &Layout,
+    weight: K,
+) -> Result<Filled<T, K>, Failure> {
+    let config = config::<T>(fluid, &scene.gravity);
+    let places: Vec<_> = layout.fluid.iter().flat_map(|body| vectors(body)).collect();
+    let mut particles = FluidParticles::at_rest(places);
+    let eos = config.equation_of_state();
+    let mut first = 0;
+    for (body, places) in fluid.bodies.iter().zip(&layout.fluid) {
+        for i in first..first + places.len() {
+            let above = pressure(body, &config, &particles.position[i]);
+            particles.density[i] = eos.density(config.background_pressure + above);
+            particles.velocity[i] = vector(&body.velocity);
+        }
+        first += places.len();
+    }
+    let mut boundary = Boundary::default();
+    let mut movers = Vec::new();
+    for (wall, parts) in scene.walls.iter().zip(&layout.walls) {
+        let start = boundary.len();
+        for part in parts {
+            boundary.add_fine_wall(&vectors(&part.places), T::of(part.volume), slip(wall.slip));
+        }
+        if let Some(motion) = &wall.motion {
+            movers.push(Mover::new(motion, start..boundary.len()));
+        }
+    }
+    let sound = config.sound_speed;
+    let viscosity = |reference: &_| Viscous::new(&fluid.viscosity, sound, reference);
+    Ok((physics::Fluid::new(config, weight, viscosity, Open, particles, boundary)?, movers))
+}
+
+/// Pressure above the background \[Pa\] at the start.
+fn pressure<T: Real>(body: &Body, config: &FluidConfig<T, 2>, r: &Vector<T, 2>) -> T {
+    let g = config.gravity.norm();
+    let Some(Corners { lower, upper }) = body.region.bounds() else { return T::zero() };
+    match body.pressure {
+        InitialPressure::None => T::zero(),
+        _ if g == T::zero() => T::zero(),
+        InitialPressure::Hydrostatic => {
+            let up = -config.gravity / g;
+            // The corner of the box around the region that is highest.
+            let top = Vector::from_fn(|axis, _| {
+                T::of(if up[axis] > T::zero() { upper[axis] } else { lower[axis] })
+            });
+            config.density * g * (up.dot(&top) - up.dot(r))
+        }
+        InitialPressure::ReleasedColumn => {
+            let [x, y] = [0, 1].map(|axis| r[axis].to_double() - lower[axis]);
+            let [length, height] = [0, 1].map(|axis| upper[axis] - lower[axis]);
+            config.density * g * T::of(released_column(height, length, x, y))
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! What is stepped: a fluid with walls and bodies, or bodies alone.
+
+use super::bodies::body;
+use super::layout::Layout;
+use super::movers::Mover;
+use super::water::{Water, slip, water};
+use super::{Law, Viscous, vector};
+use crate::Failure;
+use mps_coupling::{ElasticBody, Scene, Structure, StructureEnergy};
+use mps_fluid::FluidEnergy;
+use mps_io::scene_file::SceneFile;
+use mps_kernel::{Kernel, Real, Vector};
+use mps_neighbors::Parallel;
+use mps_solid::Solid;
+
+/// An elastic body of a scene.
+pub(super) type Elastic<T> = ElasticBody<T, 2, Law<T>>;
+
+/// A scene that can be stepped.
+pub enum World<T: Real, K: Kernel<T>> {
+    /// With fluid.
+    Wet(Box<Wet<T, K>>),
+    /// Bodies alone.
+    Dry(Dry<T>),
+}
+
+/// Fluid, walls and bodies.
+pub struct Wet<T: Real, K: Kernel<T>> {
+    scene: Scene<T, 2, K, Viscous<T>>,
+    movers: Vec<Mover<T>>,
+    last_dt: f64,
+}
+
+/// Bodies that do not know of each other.
+pub struct Dry<T: Real> {
+    bodies: Vec<Elastic<T>>,
+    no_force: Vec<Vec<Vector<T, 2>>>,
+    gravity: Vector<T, 2>,
+    /// Sub-steps of each body in an interval, held constant: a symplectic step keeps the energy only as long as it
+    /// does not change.
+    substeps: Vec<usize>,
+    interval: f64,
+    intervals: u64,
+}
+
+impl<T: Real, K: Kernel<T>> World<T, K> {
+    /// Builds what a scene describes.
+    ///
+    /// # Errors
+    /// If a part refuses its numbers.
+    pub fn new(scene: &SceneFile, layout: &Layout, weight: K, parallel: &Parallel) -> Result<Self, Failure> {
+        let bodies = scene.solids.iter().map(|solid| Ok(ElasticBody::new(body(solid, parallel)?)));
+        let bodies = bodies.collect::<Result<Vec<Elastic<T>>, Failure>>()?;
+        let Some(fluid) = &scene.fluid else {
+            let [interval, ..] = scene.output.intervals(scene.end_time);
+            return Ok(Self::Dry(Dry::new(bodies, vector(&scene.gravity), interval, parallel)));
+        };
+        let (fluid, movers) = water(scene, fluid, layout, weight)?;
+        let mut wet = Scene::new(fluid);
+        for (body, solid) in bodies.into_iter().zip(&scene.solids) {
+            wet.add_structure(parallel, Box::new(body), slip(solid.slip))?;
+        }
+        Ok(Self::Wet(Box::new(Wet { scene: wet, movers, last_dt: 0.0 })))
+    }
+
+    /// One step of the fluid, or of bodies alone one interval of the table of probes; returns the length of a step
+    /// \[s\].
+    ///
+    /// # Errors
+    /// If fluid or body cannot go on.
+    pub fn step(&mut self, parallel: &Parallel) -> Result<f64, Failure> {
+        match self {
+            Self::Wet(wet) => wet.step(parallel),
+            Self::Dry(dry) => dry.step(parallel),
+        }
+    }
+
+    /// Simulated time \[s\].
+    pub fn time(&self) -> f64 {
+        match self {
+            Self::Wet(wet) => wet.scene.fluid().time().to_double(),
+            Self::Dry(dry) => dry.intervals as f64 * dry.interval,
+        }
+    }
+
+    /// Steps done; of bodies alone the most sub-steps of any.
+    pub fn steps(&self) -> u64 {
+        match self {
+            Self::Wet(wet) => wet.scene.fluid().steps(),
+            Self::Dry(dry) => dry.intervals * dry.most_substeps() as u64,
+        }
+    }
+
+    /// Sub-steps of the bodies in the last step.
+    pub fn substeps(&self) -> usize {
+        match self {
+            Self::Wet(wet) => wet.scene.substeps(),
+            Self::Dry(_) => 1,
+        }
+    }
+
+    /// The fluid, if there is any.
+    pub fn fluid(&self) -> Option<&Water<T, K>> {
+        match self {
+            Self::Wet(wet) => Some(wet.scene.fluid()),
+            Self::Dry(_) => None,
+        }
+    }
+
+    /// Fluid with bodies, if there is a fluid.
+    pub fn coupled(&self) -> Option<&Scene<T, 2, K, Viscous<T>>> {
+        match self {
+            Self::Wet(wet) => Some(&wet.scene),
+            Self::Dry(_) => None,
+        }
+    }
+
+    /// As [`coupled`](Self::coupled), to measure what is measured on request.
+    pub fn coupled_mut(&mut self) -> Option<&mut Scene<T, 2, K, Viscous<T>>> {
+        match self {
+            Self::Wet(wet) => Some(&mut wet.scene),
+            Self::Dry(_) => None,
+        }
+    }
+
+    /// Body number `k`.
+    pub fn solid(&self, k: usize) -> Option<&Solid<T, 2, Law<T>>> {
+        match self {
+            Self::Wet(wet) => {
+                wet.scene.structure(k)?.as_any().downcast_ref::<Elastic<T>>().map(Elastic::solid)
+            }
+            Self::Dry(dry) => dry.bodies.get(k).map(Elastic::solid),
+        }
+    }
+
+    /// Energies of fluid and bodies.
+    pub fn energy(&self, parallel: &Parallel) -> (FluidEnergy<T>, StructureEnergy<T>) {
+        match self {
+            Self::Wet(wet) => wet.scene.energy(parallel),
+            Self::Dry(dry) => (FluidEnergy::default(), dry.energy(parallel)),
+        }
+    }
+}
+
+impl<T: Real, K: Kernel<T>> Wet<T, K> {
+    fn step(&mut self, parallel: &Parallel) -> Result<f64, Failure> {
+        let time = self.scene.fluid().time().to_double();
+        for mover in &mut self.movers {
+            mover.show(self.scene.fluid_mut().boundary_mut(), time, self.last_dt);
+        }
+        // Whole steps to the end: a shortened one would show as a jump of the energy.
+        let dt = self.scene.step(parallel, T::of(f64::INFINITY))?;
+        for mover in &self.movers {
+            mover.move_on(self.scene.fluid_mut().boundary_mut(), dt);
+        }
+        self.last_dt = dt.to_double();
+        Ok(self.last_dt)
+    }
+}
+
+impl<T: Real> Dry<T> {
+    fn new(bodies: Vec<Elastic<T>>, gravity: Vector<T, 2>, interval: f64, parallel: &Parallel) -> Self {
+        let substeps = |body: &Elastic<T>| {
+            (interval / body.solid().max_step(parallel).to_double()).ceil().max(1.0) as usize
+        };
+        Self {
+            no_force: bodies.iter().map(|body| vec![Vector::zeros(); body.solid().len()]).collect(),
+            substeps: bodies.iter().map(substeps).collect(),
+            bodies,
+            gravity,
+            interval,
+            intervals: 0,
+        }
+    }
+
+    fn step(&mut self, parallel: &Parallel) -> Result<f64, Failure> {
+        let dt = T::of(self.interval);
+        for ((body, no_force), substeps) in self.bodies.iter_mut().zip(&self.no_force).zip(&self.substeps) {
+            body.advance(parallel, no_force, &self.gravity, dt, *substeps)?;
+        }
+        self.intervals += 1;
+        Ok(self.interval / self.most_substeps() as f64)
+    }
+
+    fn most_substeps(&self) -> usize {
+        self.substeps.iter().copied().max().unwrap_or(1)
+    }
+
+    fn energy(&self, parallel: &Parallel) -> StructureEnergy<T> {
+        let mut sum = StructureEnergy::default();
+        for body in &self.bodies {
+            let energy = body.energy(parallel, &self.gravity);
+            sum.kinetic += energy.kinetic;
+            sum.strain += energy.strain;
+            sum.potential += energy.potential;
+        }
+        sum
+    }
+}

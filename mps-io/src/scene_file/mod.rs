@@ -1,0 +1,42 @@
+//! Scene files: everything a run is made of, as text.
+//!
+//! A [`SceneFile`] says which water, walls and bodies there are, with which numbers they are computed, what is
+//! measured and what is written; it is read from TOML by [`read`] or [`parse`] and written by
+//! [`SceneFile::to_toml`]. The types describe and know no physics; whoever builds the scene reports what it finds
+//! wrong with the [`Source`], which knows the line of every key. All units are SI.
+//!
+//! | file | part |
+//! |---|---|
+//! | `scene` | the whole |
+//! | `region`, `inside` | shapes, and what is inside them |
+//! | `fluid`, `walls`, `solids` | what there is |
+//! | `probes`, `output` | what is measured and written |
+//! | `source`, `suggest` | where a key is, and which one was meant |
+//! | `reference` | a table of all keys |
+//! | `check/*` | what is refused before anything is built |
+
+mod check;
+mod fluid;
+mod inside;
+mod output;
+mod probes;
+mod reference;
+mod region;
+mod scene;
+mod solids;
+mod source;
+mod suggest;
+mod walls;
+
+pub use fluid::{
+    Body, Diffusion, Fluid, InitialPressure, Numerics, PressureForm, Tension, Viscosity, Weight,
+};
+pub use output::Output;
+pub use probes::{DisplacementProbe, FrontProbe, LevelProbe, Measure, PressureProbe, Probe, Way};
+pub use reference::reference;
+pub use region::{Corners, Disc, Point, Region};
+pub use scene::{SceneFile, parse, read, schema};
+pub use solids::{Clamp, Elasticity, InitialVelocity, Material, Side, Solid};
+pub use source::{Problem, SceneError, Source};
+pub use suggest::closest;
+pub use walls::{Motion, Oscillation, Shape, Slip, Steady, Wall};

@@ -1,0 +1,44 @@
+//! Shapes and what can be made of them.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A place or a vector: one number per dimension
+pub type Point = Vec<f64>;
+
+/// A part of space: a simple shape, or several put together
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Region {
+    /// A box along the axes
+    Box(Corners),
+    /// A disc, in three dimensions a ball
+    Circle(Disc),
+    /// What a closed line through these corners (m) encloses, in two dimensions; where it crosses itself, every
+    /// other part
+    Polygon(Vec<Point>),
+    /// Everything that is in one of them at least
+    Union(Vec<Region>),
+    /// The first without all the others
+    Difference(Vec<Region>),
+}
+
+/// A box, by two opposite corners
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Corners {
+    /// Corner with the smallest coordinates (m)
+    pub lower: Point,
+    /// Corner with the largest coordinates (m)
+    pub upper: Point,
+}
+
+/// A disc
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Disc {
+    /// Centre (m)
+    pub center: Point,
+    /// Radius (m)
+    pub radius: f64,
+}

@@ -1,0 +1,109 @@
+//! Elastic bodies.
+
+use super::region::{Point, Region};
+use super::walls::Slip;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// An elastic body
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Solid {
+    /// Name in probes, fields and messages
+    pub name: String,
+    /// Where it is, undeformed
+    pub region: Region,
+    /// Distance of its particles (m); along the sides of a box fitted to whole numbers
+    pub spacing: f64,
+    /// Density (kg/m3)
+    pub density: f64,
+    /// What it is made of
+    pub material: Material,
+    /// Where it is held; free if left out
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub clamp: Option<Clamp>,
+    /// How the fluid moves along it
+    #[serde(default)]
+    pub slip: Slip,
+    /// Velocity at the start; at rest if left out
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub velocity: Option<InitialVelocity>,
+}
+
+/// Law of an elastic material, in two dimensions in plane strain
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Material {
+    /// Hooke's law in the frame that turns with the material: large rotations, small strains
+    Corotational(Elasticity),
+    /// That of Saint Venant and Kirchhoff: the same, and usual in benchmarks
+    SaintVenant(Elasticity),
+    /// The compressible neo-Hookean law: large strains
+    NeoHookean(Elasticity),
+    /// Rubber that hardly changes its volume
+    NearlyIncompressible(Elasticity),
+}
+
+impl Material {
+    /// Its constants.
+    pub fn elasticity(&self) -> Elasticity {
+        match *self {
+            Self::Corotational(e) | Self::SaintVenant(e) | Self::NeoHookean(e) => e,
+            Self::NearlyIncompressible(e) => e,
+        }
+    }
+
+    /// Its key in a scene file.
+    pub fn key(&self) -> &'static str {
+        match self {
+            Self::Corotational(_) => "corotational",
+            Self::SaintVenant(_) => "saint_venant",
+            Self::NeoHookean(_) => "neo_hookean",
+            Self::NearlyIncompressible(_) => "nearly_incompressible",
+        }
+    }
+}
+
+/// The constants of an isotropic elastic material
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Elasticity {
+    /// Young's modulus (Pa)
+    pub youngs_modulus: f64,
+    /// Poisson's ratio (-), between -1 and 0.5
+    pub poissons_ratio: f64,
+}
+
+/// Where a body is held
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Clamp {
+    /// On these sides of a box, whose first row of particles then lies exactly on the side
+    Sides(Vec<Side>),
+    /// All particles in this region
+    Region(Region),
+}
+
+/// A side of a box
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    /// Lower end of x
+    Left,
+    /// Upper end of x
+    Right,
+    /// Lower end of y
+    Bottom,
+    /// Upper end of y
+    Top,
+}
+
+/// Velocity of a body at the start
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum InitialVelocity {
+    /// The same everywhere (m/s)
+    Uniform(Point),
+    /// That of the first bending mode of a box held on its left side, with this speed of the free end along y (m/s)
+    FirstMode(f64),
+}

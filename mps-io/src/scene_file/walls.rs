@@ -1,0 +1,83 @@
+//! Walls, at rest or moved.
+
+use super::region::{Point, Region};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A wall for the fluid
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Wall {
+    /// Name in messages
+    pub name: String,
+    /// Where it is
+    pub shape: Shape,
+    /// How the fluid moves along it
+    #[serde(default)]
+    pub slip: Slip,
+    /// Spacing of its points over that of the fluid (-): 0.5 is smooth to fluid that slides by
+    #[serde(default = "one")]
+    pub fineness: f64,
+    /// How it moves; at rest if left out
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motion: Option<Motion>,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+/// Shape of a wall
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Shape {
+    /// Along the line through these points (m), as thick as the effective radius, built to the right as one walks
+    /// along it: the fluid is on the left
+    Line(Vec<Point>),
+    /// The same, back to its first point: counter-clockwise around the fluid
+    Ring(Vec<Point>),
+    /// What the region encloses: plates and blocks with fluid on several sides
+    Region(Region),
+}
+
+/// How the fluid moves along a surface
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Slip {
+    /// Without shear
+    #[default]
+    Free,
+    /// With the surface
+    None,
+}
+
+/// A motion that is given
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Motion {
+    /// With a constant velocity
+    Steady(Steady),
+    /// To and fro as a sine
+    Oscillation(Oscillation),
+}
+
+/// Motion with a constant velocity
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Steady {
+    /// Velocity (m/s)
+    pub velocity: Point,
+    /// When it stops (s); never if left out
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub until: Option<f64>,
+}
+
+/// The displacement `amplitude (1 - cos(2 pi t/period))/2`: starts and turns at rest
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Oscillation {
+    /// From one turning point to the other (m)
+    pub amplitude: Point,
+    /// Period (s)
+    pub period: f64,
+}

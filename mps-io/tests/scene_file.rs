@@ -1,0 +1,137 @@
+//! Scene files: what is read is what was written, and no text makes a reader panic.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
+
+use mps_io::scene_file::{
+    Clamp, InitialPressure, Material, Measure, Region, SceneError, SceneFile, Side, Slip, Source, Viscosity,
+    parse, reference, schema,
+};
+use proptest::prelude::*;
+
+const SCENE: &str = r#"
+title = "A gate between two waters"
+end_time = 0.5
+gravity = [0.0, -9.81]
+
+[fluid]
+spacing = 0.005
+expected_speed = 2
+viscosity = { laminar = 1e-6 }
+
+[[fluid.bodies]]
+region = { difference = [
+    { box = { lower = [0.0, 0.0], upper = [0.4, 0.3] } },
+    { circle = { center = [0.2, 0.1], radius = 0.05 } },
+] }
+
+[[fluid.bodies]]
+region = { polygon = [[0.5, 0.0], [0.7, 0.0], [0.6, 0.2]] }
+pressure = "none"
+velocity = [0.0, -1.0]
+
+[fluid.numerics]
+diffusion = { filter = 0.2 }
+
+[[walls]]
+name = "tank"
+shape = { line = [[0.0, 0.4], [0.0, 0.0], [1.0, 0.0]] }
+fineness = 0.5
+slip = "none"
+
+[[solids]]
+name = "gate"
+region = { box = { lower = [0.42, 0.0], upper = [0.44, 0.3] } }
+spacing = 0.005
+density = 1100
+material = { neo_hookean = { youngs_modulus = 1e7, poissons_ratio = 0.4 } }
+clamp = { sides = ["top"] }
+
+[[probes]]
+name = "end of the gate"
+measure = { displacement = { solid = "gate", at = [0.44, 0.0] } }
+
+[output]
+probe_interval = 1e-3
+"#;
+
+fn read(text: &str) -> Result<SceneFile, SceneError> {
+    parse(&Source::new("scene.toml", text))
+}
+
+#[test]
+fn a_scene_is_read_whole_and_written_so_that_it_is_read_again() {
+    let scene = read(SCENE).unwrap();
+    let fluid = scene.fluid.as_ref().unwrap();
+    assert_eq!((fluid.sound(), fluid.density, fluid.numerics.radius), (20.0, 1000.0, 4.0));
+    assert_eq!(fluid.viscosity, Viscosity::Laminar(1e-6));
+    assert_eq!(fluid.bodies[0].pressure, InitialPressure::Hydrostatic);
+    assert!(matches!(&fluid.bodies[0].region, Region::Difference(parts) if parts.len() == 2));
+    assert_eq!((scene.walls[0].slip, scene.solids[0].slip), (Slip::None, Slip::Free));
+    assert_eq!(scene.solids[0].clamp, Some(Clamp::Sides(vec![Side::Top])));
+    assert!(matches!(scene.solids[0].material, Material::NeoHookean(e) if e.poissons_ratio == 0.4));
+    assert!(matches!(&scene.probes[0].measure, Measure::Displacement(probe) if probe.solid == "gate"));
+    assert_eq!(read(&scene.to_toml().unwrap()).unwrap(), scene);
+}
+
+#[test]
+fn every_problem_is_found_at_once() {
+    let text = SCENE.replace("end_time = 0.5", "end_time = 0").replace("density = 1100", "density = -1");
+    let Err(SceneError::Refused(problems)) = read(&text) else { panic!("not refused") };
+    let keys: Vec<_> = problems.iter().map(|problem| (problem.line, problem.key.as_str())).collect();
+    assert_eq!(keys, [(3, "end_time"), (35, "solids[0].density")]);
+}
+
+#[test]
+fn the_schema_knows_every_key_and_says_what_it_means() {
+    let schema = schema();
+    let fluid = &schema["$defs"]["Fluid"]["properties"];
+    assert_eq!(fluid["spacing"]["description"], "Distance of the particles at the start (m)");
+    assert_eq!(schema["additionalProperties"], false);
+}
+
+/// Words and numbers that are likely to reach the deeper rules.
+const SPLINTERS: [&str; 16] = [
+    "nan",
+    "-inf",
+    "1e999",
+    "-1",
+    "0",
+    "1e300",
+    "{",
+    "]",
+    "\"",
+    "\n[",
+    "= [",
+    "box",
+    "[[0.0], []]",
+    "99999999999999999999",
+    "\u{fc}",
+    "'''",
+];
+
+proptest! {
+    #[test]
+    fn no_text_makes_the_reader_panic(
+        cuts in prop::collection::vec((0..SCENE.len(), 0..12_usize, 0..SPLINTERS.len()), 1..6)
+    ) {
+        let mut text = SCENE.to_owned();
+        for (start, length, splinter) in cuts {
+            let from = start.min(text.len());
+            let to = (from + length).min(text.len());
+            if text.is_char_boundary(from) && text.is_char_boundary(to) {
+                text.replace_range(from..to, SPLINTERS[splinter]);
+            }
+        }
+        if let Err(error) = read(&text) {
+            prop_assert!(error.to_string().starts_with("scene.toml:"), "{error}");
+        }
+    }
+}
+
+/// To bring the page up to date: `mps schema --reference`, between its two marks.
+#[test]
+fn the_page_about_scenes_has_every_key() {
+    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/scenes.md")).unwrap();
+    let (_, rest) = page.split_once("<!-- reference -->\n").unwrap();
+    let (written, _) = rest.split_once("<!-- end of reference -->").unwrap();
+    assert_eq!(written.trim(), reference().trim());
+}
