@@ -29,10 +29,10 @@ pub(crate) struct Options {
     #[arg(long, value_name = "RATIO")]
     radius: Option<f64>,
     /// Kinematic viscosity of the water (m2/s)
-    #[arg(long, value_name = "NU", default_value_t = 1e-3)]
+    #[arg(long, value_name = "NU", default_value_t = 1e-4)]
     viscosity: f64,
     /// Damping of the beam's velocity (1/s): quickens the way to rest, does not change it
-    #[arg(long, value_name = "C", default_value_t = 100.0)]
+    #[arg(long, value_name = "C", default_value_t = 40.0)]
     damping: f64,
     /// Numerical sound speed over sqrt(g H)
     #[arg(long, value_name = "RATIO", default_value_t = 10.0)]
@@ -76,8 +76,8 @@ impl Options {
         let radius = self.radius.unwrap_or(RADIUS_RATIO.min(layers + 1.0));
         let thick = "give a radius of 3 to 4 spacings, and not more than the thickness of the beam and one";
         within("--radius", radius, 3.0, RADIUS_RATIO.min(layers + 1.0), thick)?;
-        within("--viscosity", self.viscosity, 0.0, 1.0, "give the kinematic viscosity in m2/s, e.g. 1e-3")?;
-        within("--damping", self.damping, 0.0, 1e4, "give the damping in 1/s, e.g. 100, or 0 for none")?;
+        within("--viscosity", self.viscosity, 0.0, 1.0, "give the kinematic viscosity in m2/s, e.g. 1e-4")?;
+        within("--damping", self.damping, 0.0, 1e4, "give the damping in 1/s, e.g. 40, or 0 for none")?;
         let usual = "the numerical sound must be faster than the water; usual is 10";
         within("--sound-ratio", self.sound_ratio, 1.0, 1e4, usual)?;
         within("--cfl", self.cfl, 1e-3, 2.0, "give a Courant number of at most 2, e.g. 0.5")?;
