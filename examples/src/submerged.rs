@@ -66,7 +66,25 @@ pub struct Settings {
     pub damping: f64,
 }
 
+/// Kinematic viscosity of the water unless another is chosen \[m^2/s\]. Ten times as much and the last tenth of the way takes half a minute.
+pub const VISCOSITY: f64 = 1e-4;
+/// Damping of the beam unless another is chosen \[1/s\].
+pub const DAMPING: f64 = 40.0;
+
 impl Settings {
+    /// The usual numerics for a beam of `across` particles and `density` \[kg/m^3\] in water of the given spacing \[m\].
+    pub fn usual(across: usize, spacing: f64, density: f64) -> Self {
+        let (sound_ratio, cfl) = (10.0, 0.5);
+        let (radius, viscosity, damping) = (Self::widest(spacing), VISCOSITY, DAMPING);
+        Self { spacing, across, density, sound_ratio, cfl, radius, viscosity, damping }
+    }
+
+    /// The widest radius over `spacing` \[m\] of the usual ones that a plate as thick as the beam keeps apart: one more than its layers
+    /// (`mps-fluid/tests/suite/plates.rs`).
+    pub fn widest(spacing: f64) -> f64 {
+        basin::RADIUS_RATIO.min((THICKNESS / spacing).round() + 1.0)
+    }
+
     /// Depth of the water \[m\].
     pub fn depth() -> f64 {
         2.0 * CLEARANCE + THICKNESS

@@ -4,7 +4,7 @@ use crate::{Structure, StructureEnergy};
 use mps_kernel::weights::WendlandC2;
 use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::Parallel;
-use mps_solid::{ConstitutiveModel, Solid, SolidState};
+use mps_solid::{ConstitutiveModel, Solid};
 use std::any::Any;
 use std::error::Error;
 
@@ -17,8 +17,6 @@ where
     solid: Solid<T, D, M, K>,
     /// What is held over a sub-step besides gravity: nothing.
     no_force: Vec<Vector<T, D>>,
-    /// Empty until a scheme asks for it.
-    saved: SolidState<T, D, M::History>,
 }
 
 impl<T, const D: usize, M, K> ElasticBody<T, D, M, K>
@@ -29,7 +27,7 @@ where
 {
     /// Wraps a solid.
     pub fn new(solid: Solid<T, D, M, K>) -> Self {
-        Self { no_force: vec![Vector::zeros(); solid.len()], saved: SolidState::default(), solid }
+        Self { no_force: vec![Vector::zeros(); solid.len()], solid }
     }
 
     /// The solid.
@@ -75,15 +73,6 @@ where
     ) -> Result<(), Box<dyn Error + Send + Sync>> {
         self.solid.kick(parallel, force, dt)?;
         Ok(self.solid.advance(parallel, &self.no_force, gravity, dt, substeps)?)
-    }
-
-    fn save(&mut self) -> bool {
-        self.solid.save(&mut self.saved);
-        true
-    }
-
-    fn restore(&mut self, parallel: &Parallel) -> Result<(), Box<dyn Error + Send + Sync>> {
-        Ok(self.solid.restore(parallel, &self.saved)?)
     }
 
     fn as_any(&self) -> &dyn Any {

@@ -43,15 +43,6 @@ pub enum CouplingError {
         /// Step of the fluid \[s\].
         dt: f64,
     },
-    /// The scheme takes sub-steps more than once, and a structure cannot go back.
-    #[error(
-        "structure {index} keeps no state, and the scheme moves structures more than once in a step: \
-         implement Structure::save and Structure::restore, or use the scheme Sequential"
-    )]
-    NoState {
-        /// Number of the structure in the scene.
-        index: usize,
-    },
     /// The structure's fields do not fit together.
     #[error(
         "structure {index} shows {positions} positions but {volumes} volumes: one of each per point is needed"

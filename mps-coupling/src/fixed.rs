@@ -54,14 +54,6 @@ impl<T: Real, const D: usize> Structure<T, D> for Fixed<T, D> {
         Ok(())
     }
 
-    fn save(&mut self) -> bool {
-        true
-    }
-
-    fn restore(&mut self, _: &Parallel) -> Result<(), Box<dyn Error + Send + Sync>> {
-        Ok(())
-    }
-
     fn as_any(&self) -> &dyn Any {
         self
     }

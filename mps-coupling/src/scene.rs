@@ -1,16 +1,49 @@
 //! The nested time loop: a fluid and the structures it pushes.
 
-use crate::passage::{Body, Step};
-use crate::{Budget, CouplingError, Interface, Passed, Scheme, Sequential, Structure, StructureEnergy};
+use crate::{Budget, CouplingError, Interface, Structure, StructureEnergy};
+use core::ops::Range;
 use mps_fluid::{Fluid, FluidEnergy, Slip, Viscosity};
 use mps_kernel::weights::Rational;
 use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::{Domain, Open, Parallel};
 
+/// A structure in a scene.
+struct Body<T: Real, const D: usize> {
+    structure: Box<dyn Structure<T, D>>,
+    interface: Interface<T, D>,
+    /// Its points among those of the fluid's boundary.
+    range: Range<usize>,
+    /// Force on each of its points \[N\].
+    force: Vec<Vector<T, D>>,
+    /// Positions of its points at the start of the step \[m\].
+    start: Vec<Vector<T, D>>,
+}
+
+impl<T: Real, const D: usize> Body<T, D> {
+    /// Forces of the fluid on the points in the present sub-step.
+    fn gather<K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>(&mut self, fluid: &Fluid<T, D, K, V, P>) {
+        for (a, &i) in self.range.clone().zip(&self.interface.visible) {
+            self.force[i as usize] = fluid.force_on(a);
+        }
+    }
+
+    /// Shows the fluid the mean velocities of the last sub-step.
+    fn show_velocities<K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>(
+        &self,
+        fluid: &mut Fluid<T, D, K, V, P>,
+    ) {
+        let velocities = self.structure.mean_velocities();
+        let boundary = fluid.boundary_mut();
+        for (a, &i) in self.range.clone().zip(&self.interface.visible) {
+            boundary.velocity[a] = velocities[i as usize];
+        }
+    }
+}
+
 /// A fluid with structures, advanced in one nested loop.
 ///
-/// The partitioned scheme is sub-cycled and, unless [another](Scene::with_scheme) is asked for, sequential (paper,
-/// sections 2.2.5 and 2.2.8), with the order arranged so that the exchange is exact. The fluid finds its forces; the structures take
+/// The partitioned scheme is sequential and sub-cycled (paper, sections 2.2.5 and 2.2.8), with the
+/// order arranged so that the exchange is exact. The fluid finds its forces; the structures take
 /// their sub-steps and compress the fluid next to them as they move; the fluid receives the mean of
 /// what they felt, pair by pair, and closes its continuity equation with their *mean* velocity over
 /// the step (the velocity-consistent grouping). Their acceleration does not enter the pressure they
@@ -28,12 +61,11 @@ pub struct Scene<
     bodies: Vec<Body<T, D>>,
     budget: Budget<T, D>,
     substeps: usize,
-    scheme: Box<dyn Scheme<T, D>>,
-    passed: Passed<T>,
     /// The two sides of the interface are compared every so many steps; 0 never. Default 100.
     pub audit_interval: u64,
-    /// Sub-steps of the structures in one fluid step at least. Default 1. More of them for a structure so light that the fluid at
-    /// its surface is the stiffer spring: the structure knows the limit of its own vibrations only (`docs/coupling.md`).
+    /// Sub-steps of the structures in one fluid step at least. Default 1. A structure knows the limit of its own vibrations only;
+    /// one that is lighter than a tenth of a layer of fluid particles needs more, because the fluid at its surface is the stiffer
+    /// spring (`docs/coupling.md`).
     pub min_substeps: usize,
     /// Sub-steps of a structure in one fluid step beyond which the scene is refused. Default 2000.
     pub max_substeps: usize,
@@ -47,17 +79,10 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             bodies: Vec::new(),
             budget: Budget::default(),
             substeps: 0,
-            scheme: Box::new(Sequential),
-            passed: Passed::default(),
             min_substeps: 1,
             audit_interval: 100,
             max_substeps: 2000,
         }
-    }
-
-    /// The same scene with another way to take the sub-steps of its structures; [`Sequential`] is what it has from the start.
-    pub fn with_scheme(self, scheme: impl Scheme<T, D> + 'static) -> Self {
-        Self { scheme: Box::new(scheme), ..self }
     }
 
     /// Adds a structure: registers its surface and shows its points to the fluid as one more wall.
@@ -105,12 +130,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if self.audit_interval > 0 && self.fluid.steps().is_multiple_of(self.audit_interval) {
             self.audit(parallel);
         }
-        if !self.bodies.is_empty() {
-            self.substeps = self.substeps_for(parallel, dt)?;
-            let Self { fluid, bodies, budget, substeps, scheme, .. } = self;
-            let mut step = Step::new(fluid, bodies, budget, parallel, dt, *substeps);
-            self.passed = scheme.pass(&mut step)?;
-        }
+        self.advance_structures(parallel, dt)?;
         self.fluid.finish_step(parallel, dt);
         for body in &self.bodies {
             let boundary = self.fluid.boundary_mut();
@@ -122,7 +142,47 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         Ok(dt)
     }
 
-    /// `m = ceil(dt / limit)` (eq. 48), the same number for all.
+    /// The structures' part of a step: `m = ceil(dt / limit)` sub-steps (eq. 48), the same number for
+    /// all, in each of which they feel the pressure that their own motion has raised so far.
+    fn advance_structures(&mut self, parallel: &Parallel, dt: T) -> Result<(), CouplingError> {
+        if self.bodies.is_empty() {
+            return Ok(());
+        }
+        self.substeps = self.substeps_for(parallel, dt)?;
+        let sub_dt = dt / T::of(self.substeps as f64);
+        let gravity = self.fluid.config().gravity;
+        let time = self.fluid.time().to_double();
+        for body in &mut self.bodies {
+            body.start.copy_from_slice(body.structure.positions());
+        }
+        // Those of the last sub-step, where the forces were found with the mean over the last step.
+        for body in &self.bodies {
+            body.show_velocities(&mut self.fluid);
+        }
+        for _ in 0..self.substeps {
+            self.fluid.follow_shear();
+            for (index, body) in self.bodies.iter_mut().enumerate() {
+                body.gather(&self.fluid);
+                body.structure
+                    .advance(parallel, &body.force, &gravity, sub_dt, 1)
+                    .map_err(|source| CouplingError::Structure { index, time, source })?;
+                self.budget.book(&body.force, body.structure.mean_velocities(), sub_dt);
+            }
+            for body in &self.bodies {
+                body.show_velocities(&mut self.fluid);
+            }
+            self.fluid.compress_interface(parallel, sub_dt);
+        }
+        for body in &mut self.bodies {
+            let positions = body.structure.positions();
+            let boundary = self.fluid.boundary_mut();
+            for (a, &i) in body.range.clone().zip(&body.interface.visible) {
+                boundary.velocity[a] = (positions[i as usize] - body.start[i as usize]) / dt;
+            }
+        }
+        Ok(())
+    }
+
     fn substeps_for(&self, parallel: &Parallel, dt: T) -> Result<usize, CouplingError> {
         let mut most = self.min_substeps.max(1) as f64;
         for (index, body) in self.bodies.iter().enumerate() {
@@ -183,11 +243,6 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// Sub-steps the structures took in the last step.
     pub fn substeps(&self) -> usize {
         self.substeps
-    }
-
-    /// How the sub-steps of the last step were taken.
-    pub fn passed(&self) -> Passed<T> {
-        self.passed
     }
 
     /// Impulse and work handed over so far.

@@ -63,20 +63,6 @@ pub trait Structure<T: Real, const D: usize>: Send + Sync {
         substeps: usize,
     ) -> Result<(), Box<dyn Error + Send + Sync>>;
 
-    /// Keeps the present state for [`restore`](Structure::restore). Returns whether it can; a structure that cannot (the
-    /// default) takes part in [schemes](crate::Scheme) that move it once in a step.
-    fn save(&mut self) -> bool {
-        false
-    }
-
-    /// Brings back the state kept last, to the last bit, mean velocities included.
-    ///
-    /// # Errors
-    /// If there is none, or it cannot be brought back.
-    fn restore(&mut self, _: &Parallel) -> Result<(), Box<dyn Error + Send + Sync>> {
-        Err("the structure keeps no state: implement Structure::save and Structure::restore".into())
-    }
-
     /// The structure itself, for probes and output that know its type.
     fn as_any(&self) -> &dyn Any;
 

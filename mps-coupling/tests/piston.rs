@@ -73,3 +73,28 @@ fn what_a_piston_gains_in_energy_goes_with_the_step() {
         assert!(gain.windows(2).all(|w| w[1] < 0.7 * w[0]), "{substeps} sub-steps: {gain:?}");
     }
 }
+
+/// The fluid at the interface is a spring that the structure does not know of: a body lighter than a tenth of a layer of
+/// particles bursts when it takes one sub-step a step, and is calm with four (`docs/coupling.md`, examples/stability_map).
+#[test]
+fn a_piston_much_lighter_than_a_layer_of_water_needs_more_sub_steps_than_its_spring_asks_for() {
+    // Four particles thick, so that this times a hundredth of the water's density is 0.04 layers of water.
+    let largest = |density: f64, least: usize| {
+        let mass = density * 1000.0 * 4.0 * L0 * WIDTH;
+        let mut scene = column(mass, 0.0, 1e-3, (0.5, f64::INFINITY));
+        scene.min_substeps = least;
+        let start = total(&scene);
+        let mut largest = 0.0_f64;
+        for _ in 0..100 {
+            match scene.step(&Parallel::serial(), f64::INFINITY) {
+                Ok(_) => largest = largest.max(total(&scene) / start),
+                Err(_) => return f64::INFINITY,
+            }
+        }
+        largest
+    };
+    assert!(largest(0.01, 1) > 100.0, "the border has moved: {}", largest(0.01, 1));
+    // The energy at the ends of symplectic steps swings by some tenths.
+    assert!(largest(0.01, 4) < 1.5, "{}", largest(0.01, 4));
+    assert!(largest(0.2, 1) < 1.5, "{}", largest(0.2, 1));
+}

@@ -22,8 +22,6 @@ use crate::{Fluid, Tension};
 use mps_kernel::{Kernel, Neighborhood, Pair, Real, Tensor, Vector};
 use mps_neighbors::{Domain, Parallel};
 
-mod again;
-
 /// One pair across the interface: the other side's index and `V_a e_ia W_ia/r` \[1/m\].
 #[derive(Clone, Copy, Debug)]
 struct Link<T: Real, const D: usize> {
@@ -44,9 +42,6 @@ pub(crate) struct Exchange<T: Real, const D: usize> {
     point_links: Vec<Link<T, D>>,
     /// Place of a fluid particle in `wetted`; meaningful for those only.
     place: Vec<u32>,
-    /// Velocity of each wetted particle during the sub-steps \[m/s\]: that of the start of the step, unless a scheme supposes
-    /// another.
-    supposed: Vec<Vector<T, D>>,
     /// Pressure before clipping and its rise since the start of the step \[Pa\].
     raw: Vec<T>,
     rise: Vec<T>,
@@ -106,7 +101,6 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                 exchange.place[i] = exchange.wetted.len() as u32;
                 exchange.wetted.push(i as u32);
                 exchange.wetted_start.push(before as u32);
-                exchange.supposed.push(self.particles.velocity[i]);
                 exchange.raw.push(self.eos.pressure(self.particles.density[i]));
             }
         }
@@ -188,12 +182,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// Compresses the particles at the interface by the motion of the structures over a sub-step of
     /// `dt` \[s\], whose mean velocities are those of the reactive boundary points.
     pub fn compress_interface(&mut self, parallel: &Parallel, dt: T) {
-        let Exchange {
-            wetted, wetted_start, wetted_links, supposed, raw, rise, change, sum, substeps, ..
-        } = &mut self.exchange;
+        let Exchange { wetted, wetted_start, wetted_links, raw, rise, change, sum, substeps, .. } =
+            &mut self.exchange;
         *substeps += 1;
         let (wetted, starts, links, raw) = (&*wetted, &*wetted_start, &*wetted_links, &*raw);
-        let (u, p) = (&*supposed, &self.particles.pressure);
+        let (u, p) = (&self.particles.velocity, &self.particles.pressure);
         let first = self.boundary.reactive().start;
         let velocity = &self.boundary.velocity[first..];
         let config = &self.config;
@@ -206,7 +199,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             *sum += *change;
             let mut rate = T::zero();
             for link in &links[starts[k] as usize..starts[k + 1] as usize] {
-                rate += (velocity[link.other as usize] - u[k]).dot(&link.vector);
+                rate += (velocity[link.other as usize] - u[i]).dot(&link.vector);
             }
             *rise += factor * rate;
             let pressure = raw[k] + *rise;
@@ -217,19 +210,25 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// Adds the mean change of pressure over the sub-steps to the accelerations of the fluid: the
     /// reaction to what the structures have felt.
     pub(crate) fn finish_exchange(&mut self) {
-        if self.exchange.substeps == 0 {
+        let exchange = &self.exchange;
+        if exchange.substeps == 0 {
             return;
         }
-        for (k, &i) in self.exchange.wetted.iter().enumerate() {
-            self.rates.acceleration[i as usize] =
-                self.exchange.pushed(k, self.rates.acceleration[i as usize], self.reaction_factor());
+        let factor = -T::of(2.0) * self.reference.gradient_factor::<D>()
+            / (self.config.density * T::of(exchange.substeps as f64));
+        for (k, &i) in exchange.wetted.iter().enumerate() {
+            let links = exchange.wetted_start[k] as usize..exchange.wetted_start[k + 1] as usize;
+            let sum =
+                exchange.wetted_links[links.clone()].iter().fold(Vector::zeros(), |sum, l| sum + l.vector);
+            self.rates.acceleration[i as usize] += sum * (exchange.sum[k] * factor);
+            if !exchange.slide.is_empty() {
+                let pairs = exchange.wetted_links[links.clone()].iter().zip(&exchange.wetted_drag[links]);
+                let shear = pairs.fold(Vector::zeros(), |sum, (link, drag)| {
+                    sum + drag * exchange.slide[link.other as usize]
+                });
+                self.rates.acceleration[i as usize] += shear / T::of(exchange.substeps as f64);
+            }
         }
-    }
-
-    /// What makes an acceleration of a sum of changes of the pressure over the sub-steps.
-    fn reaction_factor(&self) -> T {
-        -T::of(2.0) * self.reference.gradient_factor::<D>()
-            / (self.config.density * T::of(self.exchange.substeps as f64))
     }
 
     /// Power \[W\] of the mean change of pressure over the sub-steps at the mean velocities of the structures.
@@ -252,20 +251,6 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 }
 
 impl<T: Real, const D: usize> Exchange<T, D> {
-    /// The acceleration of wetted particle number `k` with the mean reaction of the sub-steps added \[m/s^2\].
-    fn pushed(&self, k: usize, mut acceleration: Vector<T, D>, factor: T) -> Vector<T, D> {
-        let links = self.wetted_start[k] as usize..self.wetted_start[k + 1] as usize;
-        let sum = self.wetted_links[links.clone()].iter().fold(Vector::zeros(), |sum, l| sum + l.vector);
-        acceleration += sum * (self.sum[k] * factor);
-        if !self.slide.is_empty() {
-            let pairs = self.wetted_links[links.clone()].iter().zip(&self.wetted_drag[links]);
-            let shear =
-                pairs.fold(Vector::zeros(), |sum, (link, drag)| sum + drag * self.slide[link.other as usize]);
-            acceleration += shear / T::of(self.substeps as f64);
-        }
-        acceleration
-    }
-
     fn clear(&mut self) {
         self.wetted.clear();
         self.wetted_start.clear();
@@ -278,7 +263,7 @@ impl<T: Real, const D: usize> Exchange<T, D> {
         for field in [&mut self.wetted_drag, &mut self.point_drag] {
             field.clear();
         }
-        for field in [&mut self.supposed, &mut self.shown, &mut self.slide] {
+        for field in [&mut self.shown, &mut self.slide] {
             field.clear();
         }
         self.substeps = 0;

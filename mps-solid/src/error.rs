@@ -31,16 +31,6 @@ pub enum SolidError {
         /// Length along it \[m\].
         length: f64,
     },
-    /// A state was brought back that is not one of this body.
-    #[error(
-        "the state has {found} particles and the body {needed}: bring back what was saved of the same body"
-    )]
-    OtherState {
-        /// Particles in the state.
-        found: usize,
-        /// Particles of the body.
-        needed: usize,
-    },
     /// A particle has no volume.
     #[error("particle {id} has volume {volume}: it must be positive and finite")]
     Volume {

@@ -72,4 +72,3 @@ pub use point::MaterialPoint;
 pub use relaxation::{Relaxation, Settled};
 pub use solid::Solid;
 pub use supports::Placement;
-pub use undo::SolidState;

@@ -5,7 +5,7 @@ use crate::momentum::InnerStress;
 use crate::preparation::{check_step, prepare};
 use crate::stabilization::bending_coefficient;
 use crate::supports::{Motion, Placement};
-use crate::undo::SolidState;
+use crate::undo::Before;
 use crate::{ConstitutiveModel, SolidConfig, SolidError, SolidParticles};
 use mps_kernel::weights::WendlandC2;
 use mps_kernel::{Kernel, ParticleStore, Real, Tensor, Vector};
@@ -39,7 +39,7 @@ where
     pub(crate) stale: bool,
     // Working space of a step.
     pub(crate) inner: Vec<InnerStress<T, D>>,
-    pub(crate) before: SolidState<T, D, M::History>,
+    pub(crate) before: Before<T, D, M::History>,
     pub(crate) next: Vec<Vector<T, D>>,
 }
 
@@ -82,7 +82,7 @@ where
             motions: Vec::new(),
             placements: Vec::new(),
             inner: vec![no_stress; len],
-            before: SolidState::with_room(len),
+            before: Before::with_room(len),
             next: particles.position.clone(),
             stale: true,
             particles,

@@ -141,10 +141,6 @@ pub struct Piston {
     pub v: f64,
     pub max_step: f64,
     pub breaks: bool,
-    /// Whether it can go back.
-    pub keeps: bool,
-    /// Positions, mean velocities, `y` and `v` as kept.
-    saved: (Vec<Vector<f64, 2>>, Vec<Vector<f64, 2>>, f64, f64),
 }
 
 impl Piston {
@@ -161,8 +157,6 @@ impl Piston {
             v: 0.0,
             max_step: f64::INFINITY,
             breaks: false,
-            keeps: true,
-            saved: (Vec::new(), Vec::new(), 0.0, 0.0),
         }
     }
 }
@@ -208,20 +202,6 @@ impl Structure<f64, 2> for Piston {
         let moved = Vector::<f64, 2>::new(0.0, self.y - start);
         self.position.iter_mut().for_each(|r| *r += moved);
         self.mean.fill(moved / dt);
-        Ok(())
-    }
-
-    fn save(&mut self) -> bool {
-        self.saved.0.clone_from(&self.position);
-        self.saved.1.clone_from(&self.mean);
-        (self.saved.2, self.saved.3) = (self.y, self.v);
-        self.keeps
-    }
-
-    fn restore(&mut self, _parallel: &Parallel) -> Result<(), Box<dyn Error + Send + Sync>> {
-        self.position.clone_from(&self.saved.0);
-        self.mean.clone_from(&self.saved.1);
-        (self.y, self.v) = (self.saved.2, self.saved.3);
         Ok(())
     }
 

@@ -1,8 +1,7 @@
 //! The command line of the program, and the settings it stands for.
 
 use clap::Parser;
-use mps_examples::basin::RADIUS_RATIO;
-use mps_examples::submerged::{Settings, THICKNESS};
+use mps_examples::submerged::{DAMPING, Settings, THICKNESS, VISCOSITY};
 use mps_examples::{Common, Refused};
 
 /// A clamped beam in water at rest, bent by its buoyancy.
@@ -29,10 +28,10 @@ pub(crate) struct Options {
     #[arg(long, value_name = "RATIO")]
     radius: Option<f64>,
     /// Kinematic viscosity of the water (m2/s)
-    #[arg(long, value_name = "NU", default_value_t = 1e-4)]
+    #[arg(long, value_name = "NU", default_value_t = VISCOSITY)]
     viscosity: f64,
     /// Damping of the beam's velocity (1/s): quickens the way to rest, does not change it
-    #[arg(long, value_name = "C", default_value_t = 40.0)]
+    #[arg(long, value_name = "C", default_value_t = DAMPING)]
     damping: f64,
     /// Numerical sound speed over sqrt(g H)
     #[arg(long, value_name = "RATIO", default_value_t = 10.0)]
@@ -72,10 +71,10 @@ impl Options {
             1000.0,
             "give the simulated time in seconds, at most 1000",
         )?;
-        let layers = (THICKNESS / spacing).round();
-        let radius = self.radius.unwrap_or(RADIUS_RATIO.min(layers + 1.0));
-        let thick = "give a radius of 3 to 4 spacings, and not more than the thickness of the beam and one";
-        within("--radius", radius, 3.0, RADIUS_RATIO.min(layers + 1.0), thick)?;
+        let widest = Settings::widest(spacing);
+        let radius = self.radius.unwrap_or(widest);
+        let thick = "give a radius of 3 to 4 spacings, and at most the thickness of the beam and one spacing";
+        within("--radius", radius, 3.0, widest, thick)?;
         within("--viscosity", self.viscosity, 0.0, 1.0, "give the kinematic viscosity in m2/s, e.g. 1e-4")?;
         within("--damping", self.damping, 0.0, 1e4, "give the damping in 1/s, e.g. 40, or 0 for none")?;
         let usual = "the numerical sound must be faster than the water; usual is 10";
