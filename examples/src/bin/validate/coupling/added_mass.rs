@@ -25,6 +25,8 @@ const COLUMNS: usize = 10;
 const MASS: f64 = 0.1 * RHO * DEPTH;
 /// Phase of the sound over the depth, `omega H/c`: small, the water moves as one mass but for a few percent.
 const PHASE: f64 = 0.3;
+/// Speed of the plate at the start \[m/s\]. The problem is linear; so slow that water under tension does not clump meanwhile.
+const SPEED: f64 = 1e-6 * SOUND;
 const LAW: &str = "analytic: m w^2 + rho c w tan(w H/c) = k";
 
 /// Stiffness per area that belongs to the frequency \[N/m^3\].
@@ -40,7 +42,7 @@ impl Case for AddedMass {
 
     fn about(&self) -> &'static str {
         "A rigid plate on a spring below a column of water with a free surface, endless sideways, without gravity and viscosity; the water weighs \
-         ten times as much as the plate. Frequency over one period and a half after a push; the sound is so fast that \
+         ten times as much as the plate. Frequency over one period of the slowest mode, with which it starts; the sound is so fast that \
          the water adds its mass and 3 % more."
     }
 
@@ -56,7 +58,11 @@ impl Case for AddedMass {
         let l0 = DEPTH / n as f64;
         let mut config = water(l0, SOUND);
         config.tension = Tension::Keep;
-        let particles = FluidParticles::at_rest(lattice([0.0; 2], [COLUMNS, n], l0));
+        let mut particles = FluidParticles::at_rest(lattice([0.0; 2], [COLUMNS, n], l0));
+        // The mode itself: a push of the plate alone would send sound up and down.
+        for (u, r) in particles.velocity.iter_mut().zip(&particles.position) {
+            u.y = SPEED * (PHASE * (1.0 - r.y / DEPTH)).cos() / PHASE.cos();
+        }
         let width = COLUMNS as f64 * l0;
         let domain = PeriodicBox::new(Vector::zeros(), [Some(width), None])?;
         let fluid = Fluid::new(config, WendlandGradient, |_| (), domain, particles, Boundary::default())?;
@@ -106,8 +112,7 @@ impl Plate {
             mass: MASS * width,
             stiffness: stiffness() * width,
             y: 0.0,
-            // A thousandth of the speed of sound.
-            v: 1e-3 * SOUND,
+            v: SPEED,
         }
     }
 }

@@ -45,7 +45,8 @@ impl Case for Plate {
     fn about(&self) -> &'static str {
         "The bottom of a tank 1 m wide is an elastic plate 0.1 m thick (E = 100 MPa, nu = 0.4, 1000 kg/m3), clamped at both ends and let go under \
          0.5 m of water. Sag of its middle, mean of the last 0.1 s of 0.6 s; plate and water of one spacing, artificial viscosity 0.1, the \
-         plate's velocity damped by 100 1/s."
+         plate's velocity damped by 100 1/s. The theory of beams has an error of its own of some percent at ten times the thickness; what the coupling adds is the \
+         difference to the same solid under the same load without water."
     }
 
     fn resolution(&self) -> &'static str {
@@ -81,8 +82,9 @@ impl Case for Plate {
         let sag = sum / samples;
         Ok(Outcome {
             measures: vec![
-                Measure::new("sag", "m", sag, exact(), THEORY).within(0.02, 8),
-                Measure::new("over the same solid without water", "m", sag, dry, "the same solid at rest"),
+                Measure::new("sag", "m", sag, exact(), THEORY),
+                Measure::new("over the same solid without water", "m", sag, dry, "the same solid at rest")
+                    .within(0.01, 4),
             ],
             curves: Vec::new(),
         })
