@@ -61,7 +61,8 @@ impl Case for AddedMass {
         let mut particles = FluidParticles::at_rest(lattice([0.0; 2], [COLUMNS, n], l0));
         // The mode itself: a push of the plate alone would send sound up and down.
         for (u, r) in particles.velocity.iter_mut().zip(&particles.position) {
-            u.y = SPEED * (PHASE * (1.0 - r.y / DEPTH)).cos() / PHASE.cos();
+            let phase: f64 = PHASE * (1.0 - r.y / DEPTH);
+            u.y = SPEED * phase.cos() / PHASE.cos();
         }
         let width = COLUMNS as f64 * l0;
         let domain = PeriodicBox::new(Vector::zeros(), [Some(width), None])?;
