@@ -64,7 +64,7 @@ const COUPLING: &[(&str, &str, u64, f64)] = &[
     ("exchange", "momentum, largest change", 4, 1e-12),
     ("exchange", "angular momentum, largest change", 4, 1e-6),
     ("exchange", "energy, largest change", 4, 0.004),
-    ("added-mass", "frequency", 10, 0.016),
+    ("added-mass", "frequency", 10, 0.001),
     ("plate", "over the same solid without water", 4, 0.007),
     ("submerged-beam", "deflection of the end", 4, 0.02),
     ("submerged-beam", "over the same solid without water", 4, 0.025),

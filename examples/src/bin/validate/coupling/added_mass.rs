@@ -86,7 +86,7 @@ impl Case for AddedMass {
         };
         let found = 4.0 * FRAC_PI_2 / (last - first);
         let frequency = Measure::new("frequency", "rad/s", found, omega, LAW);
-        Ok(Outcome { measures: vec![frequency.within(0.01, 20)], curves: Vec::new() })
+        Ok(Outcome { measures: vec![frequency.within(0.01, 10)], curves: Vec::new() })
     }
 }
 
