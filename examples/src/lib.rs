@@ -1,7 +1,8 @@
 //! Shared parts of the example programs: the flags they have in common, how a run is refused, the time loop and when
 //! something is due in it, what is read off a series, and the closing words. The bodies that several programs
-//! move are in [`solid`]; scene files become scenes in [`scene`].
+//! move are in [`solid`], water in a basin in [`basin`], and a beam in it in [`submerged`]; scene files become scenes in [`scene`].
 
+pub mod basin;
 mod cli;
 mod conclusion;
 mod connected;
@@ -11,6 +12,7 @@ pub mod scene;
 mod schedule;
 pub mod series;
 pub mod solid;
+pub mod submerged;
 mod words;
 
 pub use cli::{Common, Precision, Refused};

@@ -1,4 +1,4 @@
-//! The exact problems of the fluid and the solid at their coarsest, with bounds of what they reach there. On request:
+//! The exact problems of the fluid, the solid and their coupling at their coarsest, with bounds of what they reach there. On request:
 //! `cargo test -p mps-examples --test validate_quick -- --ignored`.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail the test")]
 
@@ -58,6 +58,19 @@ const SOLID: &[(&str, &str, u64, f64)] = &[
     ("csm3", "uy, frequency", 4, 0.003),
 ];
 
+/// The same for both together.
+const COUPLING: &[(&str, &str, u64, f64)] = &[
+    ("exchange", "action and reaction", 4, 1e-12),
+    ("exchange", "momentum, largest change", 4, 1e-12),
+    ("exchange", "angular momentum, largest change", 4, 1e-6),
+    ("exchange", "energy, largest change", 4, 0.004),
+    ("added-mass", "frequency", 10, 0.001),
+    ("plate", "over the same solid without water", 4, 0.007),
+    ("submerged-beam", "deflection of the end", 4, 0.02),
+    ("submerged-beam", "over the same solid without water", 4, 0.025),
+    ("submerged-beam", "lift", 4, 0.01),
+];
+
 fn stays_within(phase: &str, bounds: &[(&str, &str, u64, f64)], pictures: &[&str], heading: &str) {
     let dir = Path::new(env!("CARGO_TARGET_TMPDIR")).join("validate-quick").join(phase);
     let _ = std::fs::remove_dir_all(&dir);
@@ -97,6 +110,12 @@ fn the_exact_problems_of_the_fluid_stay_as_good_as_they_are() {
 #[ignore = "takes a quarter of a minute"]
 fn the_exact_problems_of_the_solid_stay_as_good_as_they_are() {
     stays_within("solid", SOLID, &[], "## cantilever");
+}
+
+#[test]
+#[ignore = "takes half a minute"]
+fn the_exact_problems_of_the_coupling_stay_as_good_as_they_are() {
+    stays_within("coupling", COUPLING, &["submerged-beam-deflection.png"], "## added-mass");
 }
 
 #[test]

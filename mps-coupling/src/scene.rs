@@ -63,6 +63,10 @@ pub struct Scene<
     substeps: usize,
     /// The two sides of the interface are compared every so many steps; 0 never. Default 100.
     pub audit_interval: u64,
+    /// Sub-steps of the structures in one fluid step at least. Default 1. A structure knows the limit of its own vibrations only;
+    /// one that is lighter than a tenth of a layer of fluid particles needs more, because the fluid at its surface is the stiffer
+    /// spring (`docs/coupling.md`).
+    pub min_substeps: usize,
     /// Sub-steps of a structure in one fluid step beyond which the scene is refused. Default 2000.
     pub max_substeps: usize,
 }
@@ -75,6 +79,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             bodies: Vec::new(),
             budget: Budget::default(),
             substeps: 0,
+            min_substeps: 1,
             audit_interval: 100,
             max_substeps: 2000,
         }
@@ -179,7 +184,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     }
 
     fn substeps_for(&self, parallel: &Parallel, dt: T) -> Result<usize, CouplingError> {
-        let mut most = 1.0_f64;
+        let mut most = self.min_substeps.max(1) as f64;
         for (index, body) in self.bodies.iter().enumerate() {
             let limit = body.structure.max_step(parallel);
             let substeps = (dt / limit).to_double().ceil();

@@ -3,46 +3,9 @@
 
 mod common;
 
-use common::{Piston, lattice};
+use common::column::{C, Column, HEIGHT, L0, STIFFNESS, WATER, WIDTH, column, piston, total};
 use core::f64::consts::PI;
-use mps_coupling::Scene;
-use mps_fluid::{Boundary, Fluid, FluidConfig, FluidParticles, Slip, Tension};
-use mps_kernel::Vector;
-use mps_kernel::weights::Rational;
-use mps_neighbors::{Parallel, PeriodicBox};
-
-const L0: f64 = 0.01;
-const C: f64 = 10.0;
-const COLUMNS: usize = 10;
-const ROWS: usize = 20;
-const WIDTH: f64 = COLUMNS as f64 * L0;
-const HEIGHT: f64 = ROWS as f64 * L0;
-
-type Column = Scene<f64, 2, Rational, (), PeriodicBox<f64, 2>>;
-
-/// A column of water, endless sideways, between a floor and a piston of the given mass and spring that
-/// moves in sub-steps of at most `sub_step`, with the Courant number of the water.
-fn column(mass: f64, stiffness: f64, speed: f64, (cfl, sub_step): (f64, f64)) -> Column {
-    let parallel = Parallel::serial();
-    let mut config = FluidConfig::water(L0, C);
-    config.tension = Tension::Keep;
-    config.cfl = cfl;
-    let particles = FluidParticles::at_rest(lattice([0.0; 2], [COLUMNS, ROWS], L0));
-    let mut boundary = Boundary::default();
-    boundary.add_wall(&lattice([0.0, -3.0 * L0], [COLUMNS, 3], L0), Slip::Free).unwrap();
-    let domain = PeriodicBox::new(Vector::zeros(), [Some(WIDTH), None]).unwrap();
-    let fluid = Fluid::new(config, Rational, |_| (), domain, particles, boundary).unwrap();
-    let mut scene = Scene::new(fluid);
-    let mut piston = Piston::new(lattice([0.0, HEIGHT], [COLUMNS, 4], L0), L0, mass, stiffness);
-    piston.v = speed;
-    piston.max_step = sub_step;
-    scene.add_structure(&parallel, Box::new(piston), Slip::Free).unwrap();
-    scene
-}
-
-fn piston(scene: &Column) -> &Piston {
-    scene.structure(0).unwrap().as_any().downcast_ref::<Piston>().unwrap()
-}
+use mps_neighbors::Parallel;
 
 /// Slowest angular frequency of the piston: `m w^2 = k + rho c w cot(w H/c)` per unit of width.
 fn expected(mass: f64, stiffness: f64) -> f64 {
@@ -74,9 +37,7 @@ fn measured(scene: &mut Column) -> f64 {
 
 #[test]
 fn a_piston_swings_on_the_water_with_the_frequency_of_its_mass_spring_and_the_sound() {
-    let water = 1000.0 * WIDTH * HEIGHT;
-    let column_stiffness = 1000.0 * C * C * WIDTH / HEIGHT;
-    for (mass, stiffness) in [(water, 0.0), (water, 2.0 * column_stiffness), (4.0 * water, 0.0)] {
+    for (mass, stiffness) in [(WATER, 0.0), (WATER, 2.0 * STIFFNESS), (4.0 * WATER, 0.0)] {
         let mut scene = column(mass, stiffness, 1e-3, (0.5, 2e-4));
         let (found, truth) = (measured(&mut scene), expected(mass, stiffness));
         assert!((found / truth - 1.0).abs() < 0.01, "{found} rad/s instead of {truth} rad/s");
@@ -87,10 +48,6 @@ fn a_piston_swings_on_the_water_with_the_frequency_of_its_mass_spring_and_the_so
 fn largest_energy(cfl: f64, sub_step: f64) -> f64 {
     let parallel = Parallel::serial();
     let mut scene = column(20.0, 0.0, 1e-3, (cfl, sub_step));
-    let total = |scene: &Column| {
-        let (fluid, piston) = scene.energy(&parallel);
-        fluid.total() + piston.total()
-    };
     let start = total(&scene);
     let mut largest = 0.0_f64;
     while scene.fluid().time() < 0.3 {
@@ -115,4 +72,29 @@ fn what_a_piston_gains_in_energy_goes_with_the_step() {
         assert!(gain[0] < 0.02, "{substeps} sub-steps: {gain:?}");
         assert!(gain.windows(2).all(|w| w[1] < 0.7 * w[0]), "{substeps} sub-steps: {gain:?}");
     }
+}
+
+/// The fluid at the interface is a spring that the structure does not know of: a body lighter than a tenth of a layer of
+/// particles bursts when it takes one sub-step a step, and is calm with four (`docs/coupling.md`, examples/stability_map).
+#[test]
+fn a_piston_much_lighter_than_a_layer_of_water_needs_more_sub_steps_than_its_spring_asks_for() {
+    // Four particles thick, so that this times a hundredth of the water's density is 0.04 layers of water.
+    let largest = |density: f64, least: usize| {
+        let mass = density * 1000.0 * 4.0 * L0 * WIDTH;
+        let mut scene = column(mass, 0.0, 1e-3, (0.5, f64::INFINITY));
+        scene.min_substeps = least;
+        let start = total(&scene);
+        let mut largest = 0.0_f64;
+        for _ in 0..100 {
+            match scene.step(&Parallel::serial(), f64::INFINITY) {
+                Ok(_) => largest = largest.max(total(&scene) / start),
+                Err(_) => return f64::INFINITY,
+            }
+        }
+        largest
+    };
+    assert!(largest(0.01, 1) > 100.0, "the border has moved: {}", largest(0.01, 1));
+    // The energy at the ends of symplectic steps swings by some tenths.
+    assert!(largest(0.01, 4) < 1.5, "{}", largest(0.01, 4));
+    assert!(largest(0.2, 1) < 1.5, "{}", largest(0.2, 1));
 }

@@ -217,3 +217,57 @@ impl Structure<f64, 2> for Piston {
         }
     }
 }
+
+/// A column of water, endless sideways, between a floor and a piston.
+pub mod column {
+    use super::{Piston, lattice};
+    use mps_coupling::Scene;
+    use mps_fluid::{Boundary, Fluid, FluidConfig, FluidParticles, Slip, Tension};
+    use mps_kernel::Vector;
+    use mps_kernel::weights::Rational;
+    use mps_neighbors::{Parallel, PeriodicBox};
+
+    pub const L0: f64 = 0.01;
+    /// Speed of sound.
+    pub const C: f64 = 10.0;
+    const COLUMNS: usize = 10;
+    const ROWS: usize = 20;
+    pub const WIDTH: f64 = COLUMNS as f64 * L0;
+    pub const HEIGHT: f64 = ROWS as f64 * L0;
+    /// Mass of the water.
+    pub const WATER: f64 = 1000.0 * WIDTH * HEIGHT;
+    /// Stiffness of the column at rest.
+    pub const STIFFNESS: f64 = 1000.0 * C * C * WIDTH / HEIGHT;
+
+    pub type Column = Scene<f64, 2, Rational, (), PeriodicBox<f64, 2>>;
+
+    /// The piston has the given mass and spring and begins with `speed`; it moves in sub-steps of at most `sub_step`, the water with
+    /// the Courant number `cfl`.
+    pub fn column(mass: f64, stiffness: f64, speed: f64, (cfl, sub_step): (f64, f64)) -> Column {
+        let parallel = Parallel::serial();
+        let mut config = FluidConfig::water(L0, C);
+        config.tension = Tension::Keep;
+        config.cfl = cfl;
+        let particles = FluidParticles::at_rest(lattice([0.0; 2], [COLUMNS, ROWS], L0));
+        let mut boundary = Boundary::default();
+        boundary.add_wall(&lattice([0.0, -3.0 * L0], [COLUMNS, 3], L0), Slip::Free).unwrap();
+        let domain = PeriodicBox::new(Vector::zeros(), [Some(WIDTH), None]).unwrap();
+        let fluid = Fluid::new(config, Rational, |_| (), domain, particles, boundary).unwrap();
+        let mut scene = Scene::new(fluid);
+        let mut piston = Piston::new(lattice([0.0, HEIGHT], [COLUMNS, 4], L0), L0, mass, stiffness);
+        piston.v = speed;
+        piston.max_step = sub_step;
+        scene.add_structure(&parallel, Box::new(piston), Slip::Free).unwrap();
+        scene
+    }
+
+    /// Energy of water and piston.
+    pub fn total(scene: &Column) -> f64 {
+        let (fluid, piston) = scene.energy(&Parallel::serial());
+        fluid.total() + piston.total()
+    }
+
+    pub fn piston(scene: &Column) -> &Piston {
+        scene.structure(0).unwrap().as_any().downcast_ref::<Piston>().unwrap()
+    }
+}

@@ -1,6 +1,7 @@
 //! Small exact problems over three resolutions, with their errors and observed orders as a table.
 
 mod case;
+mod coupling;
 mod fluid;
 mod options;
 mod solid;
@@ -31,6 +32,7 @@ fn run(part: &Part) -> Result<(), Failure> {
     let cases = match part {
         Part::Fluid(_) => fluid::cases(),
         Part::Solid(_) => solid::cases(),
+        Part::Coupling(_) => coupling::cases(),
     };
     options.check(&cases.iter().map(|case| case.name()).collect::<Vec<_>>())?;
     mps_io::prepare_output(&options.out)?;

@@ -15,13 +15,15 @@ pub(crate) struct Options {
     pub(crate) part: Part,
 }
 
-/// What is validated. The coupling has a place here beside the fluid and the solid.
+/// What is validated.
 #[derive(Subcommand, Clone, Debug)]
 pub(crate) enum Part {
     /// The fluid alone: tanks, channels, waves, drops
     Fluid(Run),
     /// The solid alone: rotations, patches, waves, beams
     Solid(Run),
+    /// Fluid and structure together: exchange, added mass, static loads
+    Coupling(Run),
 }
 
 /// How a part is run.
@@ -53,12 +55,13 @@ impl Part {
         match self {
             Self::Fluid(_) => "fluid",
             Self::Solid(_) => "solid",
+            Self::Coupling(_) => "coupling",
         }
     }
 
     pub(crate) fn run(&self) -> &Run {
         match self {
-            Self::Fluid(run) | Self::Solid(run) => run,
+            Self::Fluid(run) | Self::Solid(run) | Self::Coupling(run) => run,
         }
     }
 }

@@ -1,9 +1,10 @@
-//! What the cases are built of: lattices, walls, tanks, channels.
+//! What the cases are built of: tanks and channels.
 
 use mps_examples::Failure;
+pub(crate) use mps_examples::basin::{lattice, press, walls, water};
 use mps_fluid::{
-    Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, LaminarViscosity, PressureForm, Shifting,
-    Slip, Tension, Viscosity,
+    Boundary, Fluid, FluidConfig, FluidParticles, LaminarViscosity, PressureForm, Shifting, Slip, Tension,
+    Viscosity,
 };
 use mps_kernel::weights::{WendlandC2, WendlandGradient};
 use mps_kernel::{Kernel, ReferenceDensity, Vector};
@@ -13,12 +14,7 @@ use mps_neighbors::{Domain, Open, Parallel, PeriodicBox};
 pub(crate) const GRAVITY: f64 = 9.81;
 /// Density of the fluid \[kg/m^3\].
 pub(crate) const RHO: f64 = 1000.0;
-/// Effective radius of water with a free surface, over the spacing.
-const RADIUS_RATIO: f64 = 4.0;
-/// Points of a wall along a spacing: smooth to water that slides by.
-const FINE: usize = 2;
-/// Layers of points of a wall, as deep as the effective radius of water with a free surface, and of a channel.
-const LAYERS: usize = FINE * RADIUS_RATIO as usize;
+/// Layers of points of the walls of a channel, as deep as the effective radius.
 const CHANNEL_LAYERS: usize = 3;
 
 /// A fluid of any case; with the smooth weight unless `K` says otherwise.
@@ -30,50 +26,6 @@ pub(crate) type Water<const D: usize, V = (), P = Open, K = WendlandGradient> = 
 /// measure, `sum W r^2`, is 0.2 % larger there. With the rational weight and the same radius it is
 /// 4.5 % larger, and no resolution takes that away.
 pub(crate) type InnerWater = Water<2, LaminarViscosity<f64>, PeriodicBox<f64, 2>, WendlandC2>;
-
-/// Centres of `counts` cells of a lattice from `corner` on.
-pub(crate) fn lattice<const D: usize>(corner: [f64; D], counts: [usize; D], l0: f64) -> Vec<Vector<f64, D>> {
-    (0..counts.iter().product())
-        .map(|index: usize| {
-            let mut rest = index;
-            Vector::from_fn(|axis, _| {
-                let step = rest % counts[axis];
-                rest /= counts[axis];
-                corner[axis] + (step as f64 + 0.5) * l0
-            })
-        })
-        .collect()
-}
-
-/// Walls all around a box of `counts` particles at the origin. `top`: spacings the side walls stand above
-/// the box, which is then open; `None` closes it.
-pub(crate) fn walls<const D: usize>(counts: [usize; D], top: Option<usize>, l0: f64) -> Boundary<f64, D> {
-    let counts = counts.map(|n| n * FINE);
-    let (top, l0) = (top.map(|n| n * FINE), l0 / FINE as f64);
-    let mut around = counts.map(|n| n + 2 * LAYERS);
-    around[D - 1] = counts[D - 1] + LAYERS + top.unwrap_or(LAYERS);
-    let inside = |p: &Vector<f64, D>| {
-        let within = |axis: usize| p[axis] > 0.0 && p[axis] < counts[axis] as f64 * l0;
-        (0..D - 1).all(within) && p[D - 1] > 0.0 && (top.is_some() || within(D - 1))
-    };
-    let points = lattice([-(LAYERS as f64) * l0; D], around, l0);
-    let points: Vec<_> = points.into_iter().filter(|p| !inside(p)).collect();
-    let mut boundary = Boundary::default();
-    boundary.add_fine_wall(&points, (FINE as f64).powi(-(D as i32)), Slip::Free);
-    boundary
-}
-
-/// Sets the densities that give the pressure `p` of the place.
-pub(crate) fn press<const D: usize>(
-    particles: &mut FluidParticles<f64, D>,
-    config: &FluidConfig<f64, D>,
-    p: impl Fn(&Vector<f64, D>) -> f64,
-) {
-    let eos = config.equation_of_state();
-    for (n, r) in particles.density.iter_mut().zip(&particles.position) {
-        *n = eos.density(p(r));
-    }
-}
 
 /// A tank of `counts` particles, open at the top, at rest with hydrostatic pressure.
 pub(crate) fn tank<const D: usize, V: Viscosity<f64, D>>(
@@ -88,14 +40,6 @@ pub(crate) fn tank<const D: usize, V: Viscosity<f64, D>>(
     press(&mut particles, &config, |r| weight * (depth - r[D - 1]));
     let boundary = walls(counts, Some(counts[D - 1] / 2), l0);
     Ok(Fluid::new(config, WendlandGradient, viscosity, Open, particles, boundary)?)
-}
-
-/// Water with a free surface as all cases have it. Without collisions, which would act as a strong viscosity.
-pub(crate) fn water<const D: usize>(l0: f64, sound_speed: f64) -> FluidConfig<f64, D> {
-    let mut config = FluidConfig::water(l0, sound_speed);
-    config.radius_ratio = RADIUS_RATIO;
-    config.collisions = None;
-    config
 }
 
 /// Fluid that fills its domain, as all cases have it: under tension as well as under pressure, which takes corrected

@@ -1,0 +1,50 @@
+//! A clamped beam in a tank of water, bent by its buoyancy until it comes to rest: does the interface carry a static load
+//! right?
+
+mod options;
+mod report;
+mod run;
+
+use clap::Parser;
+use mps_examples::{Cost, Failure, Precision, conclude, exit_code, record, submerged};
+use mps_kernel::Real;
+use options::Options;
+use run::Run;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let options = Options::parse();
+    exit_code(match options.common.precision {
+        Precision::F32 => run::<f32>(&options),
+        Precision::F64 => run::<f64>(&options),
+    })
+}
+
+fn run<T: Real>(options: &Options) -> Result<(), Failure> {
+    let settings = options.settings()?;
+    let parallel = options.common.parallel()?;
+    let dir = options.common.output("submerged-beam")?;
+    let mut scene = submerged::build::<T>(&settings, &parallel)?;
+    let mut run = Run::new(&dir, &mut scene, &settings, &parallel, options.common.no_fields)?;
+    let (end, quiet, mut seconds) = (options.end_time, options.common.quiet, 0.0);
+    // Inside the pool the loops of a step need no hand-over between threads.
+    let done = parallel.install(|| record(&mut run, end, quiet, &mut seconds));
+
+    // Whatever happened, what has been computed is kept.
+    let samples = run.into_samples();
+    report::plot(&dir, &settings, &samples)?;
+    let cost = Cost {
+        threads: parallel.threads(),
+        steps: scene.fluid().steps(),
+        seconds,
+        simulated: scene.fluid().time().to_double(),
+        particles: scene.fluid().particles().position.len(),
+    };
+    // In f64: the forces of a beam at rest are smaller than what f32 rounds off.
+    let dry = parallel.install(|| submerged::dry_deflection::<f64>(&settings, &parallel))?;
+    let mut summary = report::summary(&settings, &scene, &samples, dry);
+    summary.set("end_time_s", options.end_time);
+    cost.enter(&mut summary, &options.common, done.as_ref().err());
+    conclude(&dir, &summary, &options.common, done.is_ok())?;
+    done
+}

@@ -1,0 +1,18 @@
+//! The cases of fluid and structure together.
+
+mod added_mass;
+mod exchange;
+mod plate;
+mod submerged;
+
+use crate::case::Case;
+
+/// All of them, the cheapest first.
+pub(crate) fn cases() -> Vec<Box<dyn Case>> {
+    vec![
+        Box::new(exchange::Exchange),
+        Box::new(added_mass::AddedMass),
+        Box::new(plate::Plate),
+        Box::new(submerged::Submerged),
+    ]
+}

@@ -1,0 +1,60 @@
+//! The command line of the beam in water: what it refuses, and what a run leaves behind.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
+
+mod common;
+
+use common::{execute, fresh, words};
+use mps_io::{CsvTable, Summary};
+use std::path::Path;
+
+const BEAM: &str = env!("CARGO_BIN_EXE_submerged-beam");
+
+#[test]
+fn what_cannot_be_run_is_refused_with_the_flag_and_a_remedy() {
+    for (flag, value, remedy) in [
+        ("--density", "0", "50 to 5000"),
+        ("--across", "1", "2 to 64"),
+        ("--spacing", "nan", "metres"),
+        ("--spacing", "0.006", "whole number of it"),
+        ("--spacing", "1e-6", "metres"),
+        ("--end-time", "0", "seconds"),
+        ("--radius", "5", "thickness of the beam"),
+        ("--viscosity", "-1", "m2/s"),
+        ("--damping", "-1", "0 for none"),
+        ("--sound-ratio", "0.5", "usual is 10"),
+        ("--cfl", "3", "0.5"),
+        ("--threads", "0", "give at least 1"),
+    ] {
+        let dir = fresh("submerged-beam-cli", "refused");
+        let output = execute(BEAM, &dir, &[flag, value]);
+        let message = words(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{flag} {value}: {message}");
+        assert!(message.starts_with(&format!("error: {flag} is ")), "{flag} {value}: {message}");
+        assert!(message.contains(remedy), "{flag} {value}: {message}");
+        assert!(output.stdout.is_empty() && !dir.exists(), "{flag} {value} has left something");
+    }
+}
+
+/// Twice, with other threads, with and without pictures: the same to the last bit.
+#[test]
+fn a_run_leaves_its_results_and_does_not_depend_on_the_threads() {
+    let short = ["--across", "2", "--end-time", "0.1", "--quiet"];
+    let run = |name: &str, more: &[&str]| {
+        let dir = fresh("submerged-beam-cli", name);
+        let output = execute(BEAM, &dir, &[&short, more].concat());
+        assert!(output.status.success(), "{}", words(&output.stderr));
+        dir
+    };
+    let (whole, bare) = (run("whole", &["--threads", "1"]), run("bare", &["--threads", "2", "--no-fields"]));
+    for file in ["deflection.png", "snapshot.png", "fields/water.pvd", "fields/beam.pvd"] {
+        assert!(whole.join(file).exists(), "{file}");
+    }
+    assert!(!bare.join("fields").exists());
+    let read = |dir: &Path| std::fs::read(dir.join("probes.csv")).unwrap();
+    assert!(read(&whole) == read(&bare), "threads or watching have changed the run");
+    let table = CsvTable::read(whole.join("probes.csv")).unwrap();
+    let deflection = table.column("deflection [m]").unwrap();
+    assert!(deflection.last().is_some_and(|d| *d > 1e-5), "a light beam rises: {deflection:?}");
+    let summary = Summary::read(whole.join("summary.json")).unwrap();
+    assert!(summary.metrics["interface_momentum_residual"].value < 1e-12);
+}
