@@ -5,9 +5,10 @@
 
 use core::f64::consts::PI;
 use mps_fluid::{Boundary, Fluid, FluidConfig, FluidError, FluidParticles};
-use mps_fluid::{Diffusion, LaminarViscosity, PressureForm, Shifting, Tension};
+use mps_fluid::{CompactViscosity, LaminarViscosity, Viscosity};
+use mps_fluid::{Diffusion, PressureForm, Shifting, Tension};
 use mps_kernel::weights::{WendlandC2, WendlandGradient};
-use mps_kernel::{Kernel, Vector};
+use mps_kernel::{Kernel, ReferenceDensity, Vector};
 use mps_neighbors::{Parallel, PeriodicBox};
 
 /// Density \[kg/m^3\].
@@ -24,10 +25,17 @@ struct Numerics {
     level: f64,
     diffusion: f64,
     sound: f64,
+    relaxation: f64,
 }
 
 /// Mean viscosity over the one given in each of four half units of time.
-fn found<W: Kernel<f64>>(weight: W, numerics: Numerics, n: usize, re: f64) -> Result<Vec<f64>, FluidError> {
+fn found<W: Kernel<f64>, V: Viscosity<f64, 2>>(
+    weight: W,
+    viscosity: impl FnOnce(f64, &ReferenceDensity<f64>) -> V,
+    numerics: Numerics,
+    n: usize,
+    re: f64,
+) -> Result<Vec<f64>, FluidError> {
     let l0 = 1.0 / n as f64;
     let mut config = FluidConfig::<f64, 2>::water(l0, numerics.sound);
     config.radius_ratio = numerics.radius;
@@ -47,7 +55,8 @@ fn found<W: Kernel<f64>>(weight: W, numerics: Numerics, n: usize, re: f64) -> Re
         *u = Vector::from([-(K * r.x).cos() * (K * r.y).sin(), (K * r.x).sin() * (K * r.y).cos()]);
     }
     let domain = PeriodicBox::new(Vector::zeros(), [Some(1.0); 2])?;
-    let viscosity = |reference: &_| LaminarViscosity::new::<2>(1.0 / re, reference);
+    config.density_relaxation = numerics.relaxation;
+    let viscosity = |reference: &_| viscosity(1.0 / re, reference);
     let mut fluid = Fluid::new(config, weight, viscosity, domain, particles, Boundary::default())?;
     let parallel = Parallel::serial();
     let exact = 2.0 * K * K / re;
@@ -66,38 +75,55 @@ fn found<W: Kernel<f64>>(weight: W, numerics: Numerics, n: usize, re: f64) -> Re
 
 fn main() {
     let n = std::env::args().nth(1).and_then(|n| n.parse().ok()).unwrap_or(50);
-    let plain =
-        Numerics { radius: 4.0, corrected: false, shifting: 0.0, level: 2.0, diffusion: 0.5, sound: 10.0 };
-    let corrected = Numerics { corrected: true, shifting: 2.0, ..plain };
     println!(
-        "| weight, radius, form, shifting, level, diffusion, c | Re | viscosity found over given |\n|---|---|---|"
+        "| weight, radius, viscosity, form, shifting, level, diffusion, c, relaxation | Re | viscosity found over given |\n|---|---|---|"
     );
+    let channel = Numerics {
+        radius: 3.0,
+        corrected: true,
+        shifting: 2.0,
+        level: 2.0,
+        diffusion: 0.5,
+        sound: 10.0,
+        relaxation: 0.01,
+    };
     for re in [100.0, 1000.0] {
+        let row = |numerics: Numerics| {
+            let found = found(WendlandGradient, CompactViscosity::new::<2>, numerics, n, re);
+            print("WendlandGradient", "compact", numerics, re, found);
+        };
+        row(channel);
         for numerics in [
-            plain,
-            Numerics { radius: 3.0, ..plain },
-            Numerics { level: 1.0, ..plain },
-            Numerics { level: 5.0, ..plain },
-            Numerics { diffusion: 0.1, ..plain },
-            Numerics { sound: 20.0, ..plain },
-            Numerics { shifting: 2.0, ..plain },
-            corrected,
+            Numerics { radius: 4.0, ..channel },
+            Numerics { relaxation: 0.0, ..channel },
+            Numerics { relaxation: 0.05, ..channel },
+            Numerics { shifting: 10.0, ..channel },
+            Numerics { level: 0.0, ..channel },
+            Numerics { level: 5.0, ..channel },
+            Numerics { diffusion: 0.1, ..channel },
+            Numerics { sound: 20.0, ..channel },
         ] {
-            print("WendlandGradient", numerics, re, found(WendlandGradient, numerics, n, re));
+            row(numerics);
         }
-        let peaked = Numerics { radius: 3.0, shifting: 10.0, level: 0.0, ..corrected };
-        for numerics in [plain, peaked] {
-            print("WendlandC2", numerics, re, found(WendlandC2, numerics, n, re));
+        for numerics in [channel, Numerics { corrected: false, shifting: 0.0, relaxation: 0.0, ..channel }] {
+            let found = found(WendlandGradient, LaminarViscosity::new::<2>, numerics, n, re);
+            print("WendlandGradient", "laminar", numerics, re, found);
+        }
+        for numerics in [channel, Numerics { shifting: 10.0, level: 0.0, relaxation: 0.0, ..channel }] {
+            let found = found(WendlandC2, LaminarViscosity::new::<2>, numerics, n, re);
+            print("WendlandC2", "laminar", numerics, re, found);
         }
     }
 }
 
-fn print(weight: &str, numerics: Numerics, re: f64, found: Result<Vec<f64>, FluidError>) {
-    let Numerics { radius, corrected, shifting, level, diffusion, sound } = numerics;
+fn print(weight: &str, viscosity: &str, numerics: Numerics, re: f64, found: Result<Vec<f64>, FluidError>) {
+    let Numerics { radius, corrected, shifting, level, diffusion, sound, relaxation } = numerics;
     let form = if corrected { "corrected" } else { "plain" };
     let values = match found {
         Ok(rates) => rates.iter().map(|rate| format!("{rate:.2}")).collect::<Vec<_>>().join(", "),
         Err(error) => error.to_string(),
     };
-    println!("| {weight}, {radius}, {form}, {shifting}, {level}, {diffusion}, {sound} | {re} | {values} |");
+    println!(
+        "| {weight}, {radius}, {viscosity}, {form}, {shifting}, {level}, {diffusion}, {sound}, {relaxation} | {re} | {values} |"
+    );
 }

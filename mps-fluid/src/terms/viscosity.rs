@@ -139,6 +139,7 @@ impl<T: Real, const D: usize> Viscosity<T, D> for ArtificialViscosity<T> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::CompactViscosity;
     use super::*;
     use approx::assert_relative_eq;
     use mps_kernel::Neighborhood;
@@ -176,6 +177,7 @@ mod tests {
         let artificial = ArtificialViscosity::new::<2>(0.05, 10.0, &reference());
         check(());
         check(laminar);
+        check(CompactViscosity::new::<2>(1e-3, &reference()));
         check(artificial);
         check((laminar, artificial));
     }
@@ -218,10 +220,13 @@ mod tests {
     }
 
     #[test]
-    fn both_amount_to_the_kinematic_viscosity_they_claim() {
+    fn all_amount_to_the_kinematic_viscosity_they_claim() {
         let laminar = LaminarViscosity::new::<2>(1e-3, &reference());
         assert_relative_eq!(in_shear(laminar), 1e-3, max_relative = 1e-12);
         assert_eq!(Viscosity::<f64, 2>::kinematic(&laminar), 1e-3);
+        let compact = CompactViscosity::new::<2>(1e-3, &reference());
+        assert_relative_eq!(in_shear(compact), 1e-3, max_relative = 1e-12);
+        assert_eq!(Viscosity::<f64, 2>::kinematic(&compact), 1e-3);
         let artificial = ArtificialViscosity::new::<2>(0.05, 10.0, &reference());
         let nu = Viscosity::<f64, 2>::kinematic(&artificial);
         assert_relative_eq!(nu, 0.05 * 10.0 * L0 / 8.0, max_relative = 1e-12);

@@ -35,8 +35,8 @@ pub(crate) struct Options {
     /// Courant number of the fluid
     #[arg(long, value_name = "C", default_value_t = 0.5)]
     pub(crate) cfl: f64,
-    /// Effective radius over spacing, at least 3; the flag has to be one spacing less thick
-    #[arg(long, value_name = "RATIO", default_value_t = 4.0)]
+    /// Effective radius over spacing, at least 3
+    #[arg(long, value_name = "RATIO", default_value_t = 3.0)]
     pub(crate) radius: f64,
     /// Level of the pressure over that of the mean inflow: keeps the fluid together where vortices would tear it
     #[arg(long, value_name = "RATIO", default_value_t = 2.0)]
