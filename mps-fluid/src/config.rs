@@ -95,7 +95,7 @@ pub struct FluidConfig<T: Real, const D: usize> {
     /// How fast the number density of the equation of state returns to the [packing](crate::Fluid::packing) of the particles: by this
     /// share of their difference in the time sound takes for a spacing. Default zero: not at all. The density follows the velocities,
     /// the packing also the shifting and the errors of both; without this they drift apart in a flow that stirs for long, and particles
-    /// gather where the density does not know of them. 0.01 is slow beside sound and fast beside the flow; more makes noise. For fluid that fills
+    /// gather where the density does not know of them. 0.01 is slow beside sound and fast beside the flow; 0.05 feeds noise until the fluid bursts (`examples/effective_viscosity.rs`). For fluid that fills
     /// its domain: at a free surface the packing is low and the density is not, so it needs [`Tension::Keep`].
     pub density_relaxation: T,
     /// Neighbour rows reach this much beyond `re`, over `l0`; they are rebuilt when a particle has
@@ -179,7 +179,7 @@ impl<T: Real, const D: usize> FluidConfig<T, D> {
             huge,
             "the pressure at reference density in Pa, 0 with a free surface",
         )?;
-        let most = if self.tension == Tension::Keep { 0.2 } else { 0.0 };
+        let most = if self.tension == Tension::Keep { 0.03 } else { 0.0 };
         let hint = "0.01 where fluid fills its domain and may be under tension, 0 with a free surface";
         check("density_relaxation", self.density_relaxation, 0.0, most, hint)?;
         for &component in self.gravity.iter() {

@@ -44,7 +44,7 @@ fn bad_numbers_are_refused_by_name() {
         ("gravity", |c, x| c.gravity[1] = x, &[]),
         ("diffusion", |c, x| c.diffusion = Diffusion::Filter { delta: x }, &[-0.1, 3.0]),
         ("cfl", |c, x| c.cfl = x, &[0.0, -0.5, 10.0]),
-        ("density_relaxation", |c, x| c.density_relaxation = x, &[-0.1, 0.01, 0.3]),
+        ("density_relaxation", |c, x| c.density_relaxation = x, &[-0.1, 0.01, 0.05]),
         ("skin_ratio", |c, x| c.skin_ratio = x, &[-0.1, 10.0]),
         ("repulsion", |c, x| c.collisions = Some(Dpc { repulsion: x, ..Dpc::default() }), &[-0.1, 2.0]),
         ("restitution", |c, x| c.collisions = Some(Dpc { restitution: x, ..Dpc::default() }), &[-0.1, 2.0]),
