@@ -4,7 +4,7 @@
 mod common;
 
 use common::{directory, listing};
-use mps_io::checkpoint::{CheckpointError, Identity, Rotation, decode, encode};
+use mps_io::checkpoint::{Checkpoint, CheckpointError, Identity, Rotation, decode, encode};
 use mps_kernel::{Section, State};
 use proptest::prelude::*;
 use std::path::Path;
@@ -14,27 +14,30 @@ fn identity() -> Identity {
 }
 
 /// Sections of several lengths, one of them empty.
-fn state(seed: u8) -> State {
+fn state(seed: u8) -> Checkpoint {
     let section = |name: &str, entry: usize, length: usize| Section {
         name: name.to_owned(),
         entry,
         bytes: (0..length).map(|k| (k as u8).wrapping_mul(31).wrapping_add(seed)).collect(),
     };
-    State::from(vec![
+    let state = State::from(vec![
         section("fluid/particles/position", 16, 16 * 21),
         section("fluid/particles/density", 8, 8 * 21),
         section("solid/history", 0, 0),
         section("time", 8, 8),
-    ])
+    ]);
+    let settings =
+        [("fields", "yes"), ("name", "a tank")].map(|(name, value)| (name.to_owned(), value.to_owned()));
+    Checkpoint { identity: identity(), settings: settings.into(), state }
 }
 
-fn read(file: &[u8]) -> Result<State, CheckpointError> {
-    decode(file, Path::new("run/last.mps"), &identity())
+fn read(file: &[u8]) -> Result<Checkpoint, CheckpointError> {
+    decode(file, Path::new("run/last.mps"))
 }
 
 #[test]
 fn what_is_written_comes_back() {
-    let mut rotation = Rotation::new(directory("checkpoint-back").join("checkpoint"), identity());
+    let mut rotation = Rotation::new(directory("checkpoint-back").join("checkpoint"));
     assert!(!rotation.exists());
     assert!(matches!(rotation.read(), Err(CheckpointError::None { .. })));
     for seed in 0..4 {
@@ -52,7 +55,7 @@ fn what_is_written_comes_back() {
 /// Every bit of every byte: no part of the file is without a checksum.
 #[test]
 fn a_flipped_bit_is_noticed_wherever_it_is() {
-    let whole = encode(&identity(), &state(1));
+    let whole = encode(&state(1));
     assert_eq!(read(&whole).unwrap(), state(1));
     let mut parts = std::collections::BTreeSet::new();
     for at in 0..whole.len() {
@@ -73,7 +76,7 @@ fn a_flipped_bit_is_noticed_wherever_it_is() {
 
 #[test]
 fn a_file_cut_at_any_byte_or_with_more_behind_it_is_refused() {
-    let whole = encode(&identity(), &state(1));
+    let whole = encode(&state(1));
     for length in 0..whole.len() {
         let error = read(&whole[..length]).unwrap_err();
         assert!(matches!(error, CheckpointError::Damaged { .. }), "{length}: {error}");
@@ -95,7 +98,9 @@ fn a_state_of_another_program_precision_or_scene_is_refused() {
         (Identity::new("mps 0.1.0", "f32", "title = \"a tank\"\n"), "another precision (f32, and not f64)"),
         (Identity::new("mps 0.1.0", "f64", "title = \"a tanks\"\n"), "another scene ("),
     ] {
-        let error = read(&encode(&other, &state(1))).unwrap_err();
+        let path = Path::new("run/last.mps");
+        let found = read(&encode(&Checkpoint { identity: other, ..state(1) })).unwrap();
+        let error = identity().check(&found.identity, path).unwrap_err();
         assert!(error.to_string().contains(words), "{error}");
         assert!(matches!(error, CheckpointError::Foreign { .. }));
     }
@@ -104,9 +109,9 @@ fn a_state_of_another_program_precision_or_scene_is_refused() {
 /// Whenever the program is stopped while it writes the third checkpoint: the states between the calls of the operating system.
 #[test]
 fn a_run_that_is_stopped_while_it_writes_has_a_checkpoint() {
-    let mut rotation = Rotation::new(directory("checkpoint-stopped").join("checkpoint"), identity());
+    let mut rotation = Rotation::new(directory("checkpoint-stopped").join("checkpoint"));
     let part = rotation.last().with_file_name(".next.mps.part");
-    let third = encode(&identity(), &state(3));
+    let third = encode(&state(3));
     let two = |rotation: &mut Rotation| {
         rotation.clear().unwrap();
         rotation.write(&state(1)).unwrap();
@@ -132,7 +137,7 @@ fn a_run_that_is_stopped_while_it_writes_has_a_checkpoint() {
 
 #[test]
 fn a_damaged_checkpoint_leaves_the_one_before_and_two_are_told_apart() {
-    let mut rotation = Rotation::new(directory("checkpoint-damaged").join("checkpoint"), identity());
+    let mut rotation = Rotation::new(directory("checkpoint-damaged").join("checkpoint"));
     rotation.write(&state(1)).unwrap();
     rotation.write(&state(2)).unwrap();
     let damage = |path: &Path| {
@@ -161,7 +166,7 @@ proptest! {
         bytes in prop::collection::vec(any::<u8>(), 0..200),
         alone in any::<bool>(),
     ) {
-        let mut file = encode(&identity(), &state(1));
+        let mut file = encode(&state(1));
         let whole = file.clone();
         if alone {
             file = bytes;

@@ -21,8 +21,11 @@ impl Identity {
         Self { program: program.into(), precision: precision.into(), scene: xxh3_128(scene.as_bytes()) }
     }
 
-    /// Refuses a state of something `other` than this, found in the file at `path`.
-    pub(super) fn check(&self, other: &Self, path: &Path) -> Result<(), CheckpointError> {
+    /// Refuses the state of something `other` than this, found in the file at `path`.
+    ///
+    /// # Errors
+    /// If the program, the precision or the scene differs: which, and what to do.
+    pub fn check(&self, other: &Self, path: &Path) -> Result<(), CheckpointError> {
         let refuse = |what, found: &str, expected: &str, remedy| {
             let (found, expected) = (found.to_owned(), expected.to_owned());
             Err(CheckpointError::Foreign { path: path.to_path_buf(), what, found, expected, remedy })

@@ -5,7 +5,7 @@
 //! version        u32      of this layout
 //! header length  u32      bytes of the header that follows
 //! header         byte order mark u32; program, precision: u32 length and text each; scene: u128 checksum of its text;
-//!                number of sections u32; of each section its name (u32 length and text), bytes of an entry u32,
+//!                number of settings u32, of each name and value; number of sections u32; of each section its name (u32 length and text), bytes of an entry u32,
 //!                bytes u64, checksum u128
 //! checksum       u128     of everything before
 //! sections       one after the other, nothing behind the last
@@ -32,6 +32,20 @@ pub use format::encode;
 pub use identity::Identity;
 pub use parse::decode;
 pub use rotation::Rotation;
+
+use mps_kernel::State;
+use std::collections::BTreeMap;
+
+/// What a run can go on from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Checkpoint {
+    /// What it belongs to.
+    pub identity: Identity,
+    /// What has to be known before anything is built into which the state can be restored.
+    pub settings: BTreeMap<String, String>,
+    /// The state.
+    pub state: State,
+}
 
 const MAGIC: [u8; 8] = [0x89, b'M', b'P', b'S', b'\r', b'\n', 0x1A, b'\n'];
 const VERSION: u32 = 1;

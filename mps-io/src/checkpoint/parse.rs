@@ -1,18 +1,19 @@
 //! From the bytes of a file to a state, or to what is wrong with them.
 
-use super::{CheckpointError, Identity, MAGIC, ORDER_MARK, PREAMBLE, VERSION};
+use super::{Checkpoint, CheckpointError, Identity, MAGIC, ORDER_MARK, PREAMBLE, VERSION};
 use mps_kernel::{Section, State};
+use std::collections::BTreeMap;
 use std::path::Path;
 use xxhash_rust::xxh3::xxh3_128;
 
 /// Bytes of a checksum.
 const SUM: usize = 16;
 
-/// Reads the checkpoint in `file`, which lies at `path`, if it belongs to `identity`.
+/// Reads the checkpoint in `file`, which lies at `path`. Whoever uses it [checks](Identity::check) what it belongs to.
 ///
 /// # Errors
-/// If a byte of it is not as it was written, or it belongs to another program, precision or scene. Nothing of it is used then.
-pub fn decode(file: &[u8], path: &Path, identity: &Identity) -> Result<State, CheckpointError> {
+/// If a byte of it is not as it was written, or its layout is of another version. Nothing of it is used then.
+pub fn decode(file: &[u8], path: &Path) -> Result<Checkpoint, CheckpointError> {
     let damaged = |part: &str, problem: String| CheckpointError::Damaged {
         path: path.to_path_buf(),
         part: part.to_owned(),
@@ -35,11 +36,9 @@ pub fn decode(file: &[u8], path: &Path, identity: &Identity) -> Result<State, Ch
         return Err(damaged("header", "does not have its checksum".to_owned()));
     }
     // The bytes are those that were written: what does not fit now was written by another program.
-    let (found, table) = Reader(&file[PREAMBLE..end]).header().ok_or_else(|| {
+    let (identity, settings, table) = Reader(&file[PREAMBLE..end]).header().ok_or_else(|| {
         damaged("header", "has not the form of this version, or another byte order".to_owned())
     })?;
-    identity.check(&found, path)?;
-
     let mut at = end + SUM;
     let mut sections = Vec::with_capacity(table.len());
     for Entry { name, entry, bytes: length, sum } in table {
@@ -53,7 +52,7 @@ pub fn decode(file: &[u8], path: &Path, identity: &Identity) -> Result<State, Ch
         sections.push(Section { name, entry, bytes: bytes.to_vec() });
     }
     match file.len() - at {
-        0 => Ok(State::from(sections)),
+        0 => Ok(Checkpoint { identity, settings, state: State::from(sections) }),
         more => Err(damaged("end", format!("{more} bytes follow the last section"))),
     }
 }
@@ -70,19 +69,19 @@ struct Entry {
 struct Reader<'a>(&'a [u8]);
 
 impl Reader<'_> {
-    fn header(mut self) -> Option<(Identity, Vec<Entry>)> {
+    fn header(mut self) -> Option<(Identity, BTreeMap<String, String>, Vec<Entry>)> {
         if self.take::<4>()? != ORDER_MARK.to_ne_bytes() {
             return None;
         }
         let identity = Identity { program: self.text()?, precision: self.text()?, scene: self.u128()? };
-        let count = self.u32()?;
+        let settings = (0..self.u32()?).map(|_| Some((self.text()?, self.text()?))).collect::<Option<_>>()?;
         // Not reserved in advance: the number is believed only as far as lines follow.
         let mut table = Vec::new();
-        for _ in 0..count {
+        for _ in 0..self.u32()? {
             let (name, entry) = (self.text()?, self.u32()? as usize);
             table.push(Entry { name, entry, bytes: u64::from_le_bytes(self.take()?), sum: self.u128()? });
         }
-        self.0.is_empty().then_some((identity, table))
+        self.0.is_empty().then_some((identity, settings, table))
     }
 
     fn take<const N: usize>(&mut self) -> Option<[u8; N]> {

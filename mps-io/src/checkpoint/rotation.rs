@@ -1,8 +1,7 @@
 //! The checkpoints of a run: the last and the one before.
 
-use super::{CheckpointError, Identity, decode, format};
+use super::{Checkpoint, CheckpointError, decode, format};
 use crate::OutputError;
-use mps_kernel::State;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -14,15 +13,14 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, Debug)]
 pub struct Rotation {
     dir: PathBuf,
-    identity: Identity,
     /// The last one could not be used: it must not take the place of the one before.
     spoilt: bool,
 }
 
 impl Rotation {
-    /// Of a run with the given identity, in `dir`, which is created with the first checkpoint.
-    pub fn new(dir: impl Into<PathBuf>, identity: Identity) -> Self {
-        Self { dir: dir.into(), identity, spoilt: false }
+    /// Those in `dir`, which is created with the first checkpoint.
+    pub fn new(dir: impl Into<PathBuf>) -> Self {
+        Self { dir: dir.into(), spoilt: false }
     }
 
     /// The file of the last checkpoint.
@@ -56,18 +54,18 @@ impl Rotation {
         Ok(())
     }
 
-    /// Writes the state as the last checkpoint. On a full disk the one before makes room for it.
+    /// Writes the last checkpoint. On a full disk the one before makes room for it.
     ///
     /// # Errors
     /// If it cannot be written. The checkpoints there are stay as they are; of two, the last one does.
-    pub fn write(&mut self, state: &State) -> Result<(), OutputError> {
+    pub fn write(&mut self, checkpoint: &Checkpoint) -> Result<(), OutputError> {
         fs::create_dir_all(&self.dir).map_err(OutputError::file("create the directory", &self.dir))?;
         let part = self.part();
-        let written = self.write_part(state).or_else(|error| {
+        let written = self.write_part(checkpoint).or_else(|error| {
             let full = matches!(error.kind(), io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded);
             // Never the last one, nor the only one.
             if full && self.last().exists() && fs::remove_file(self.before()).is_ok() {
-                self.write_part(state)
+                self.write_part(checkpoint)
             } else {
                 Err(error)
             }
@@ -80,10 +78,10 @@ impl Rotation {
         self.rotate().map_err(OutputError::file("put a checkpoint into", &self.dir))
     }
 
-    fn write_part(&self, state: &State) -> io::Result<()> {
+    fn write_part(&self, checkpoint: &Checkpoint) -> io::Result<()> {
         let mut file = File::create(self.part())?;
-        file.write_all(&format::head(&self.identity, state))?;
-        for section in state.sections() {
+        file.write_all(&format::head(checkpoint))?;
+        for section in checkpoint.state.sections() {
             file.write_all(&section.bytes)?;
         }
         file.sync_all()
@@ -102,20 +100,20 @@ impl Rotation {
         }
     }
 
-    /// The state of the last checkpoint, or of the one before if that cannot be used, with its file.
+    /// The last checkpoint, or of the one before if that cannot be used, with its file.
     ///
     /// # Errors
     /// If there is none that can be used: what is wrong with each.
-    pub fn read(&mut self) -> Result<(State, PathBuf), CheckpointError> {
+    pub fn read(&mut self) -> Result<(Checkpoint, PathBuf), CheckpointError> {
         let mut refused = Vec::new();
         for path in [self.last(), self.before()] {
             if !path.exists() {
                 continue;
             }
-            match read(&path, &self.identity) {
-                Ok(state) => {
+            match read(&path) {
+                Ok(found) => {
                     self.spoilt = !refused.is_empty();
-                    return Ok((state, path));
+                    return Ok((found, path));
                 }
                 Err(error) => refused.push(error),
             }
@@ -131,7 +129,7 @@ impl Rotation {
     }
 }
 
-fn read(path: &Path, identity: &Identity) -> Result<State, CheckpointError> {
+fn read(path: &Path) -> Result<Checkpoint, CheckpointError> {
     let file = fs::read(path).map_err(OutputError::file("read", path))?;
-    decode(&file, path, identity)
+    decode(&file, path)
 }
