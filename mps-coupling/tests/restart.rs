@@ -36,9 +36,9 @@ fn assert_goes_on(build: impl Fn() -> Wet, steps: usize) {
         let mut twin = build();
         states[moment].restore(|transfer| twin.transfer(&parallel, transfer)).unwrap();
         assert!(save(&mut twin) == states[moment], "what was restored at step {moment}");
-        for step in moment + 1..=steps {
+        for (step, state) in states.iter().enumerate().skip(moment + 1) {
             twin.step(&parallel, f64::INFINITY).unwrap();
-            assert!(save(&mut twin) == states[step], "saved at step {moment}, differs at {step}");
+            assert!(save(&mut twin) == *state, "saved at step {moment}, differs at {step}");
         }
     }
 }

@@ -31,7 +31,7 @@ pub(super) struct Plan<'a> {
 }
 
 /// A state to go on from, and the file it was in.
-type From<'a> = Option<(&'a State, &'a Path)>;
+type Origin<'a> = Option<(&'a State, &'a Path)>;
 
 /// Runs a scene that has been found good, and writes its results to the directory of `common`, else to that of the
 /// scene, else to `out/<name>`. Every `interval` seconds of wall time it writes a checkpoint there, none for zero; one more at a signal, and at
@@ -57,14 +57,14 @@ pub fn run(
     run_plan(Plan { scene, layout, name, common: &common, end: scene.end_time, interval, rotation }, None)
 }
 
-pub(super) fn run_plan(plan: Plan<'_>, from: From<'_>) -> Result<(), Failure> {
+pub(super) fn run_plan(plan: Plan<'_>, from: Origin<'_>) -> Result<(), Failure> {
     match plan.common.precision {
         Precision::F32 => with_weight::<f32>(plan, from),
         Precision::F64 => with_weight::<f64>(plan, from),
     }
 }
 
-fn with_weight<T: Real>(plan: Plan<'_>, from: From<'_>) -> Result<(), Failure> {
+fn with_weight<T: Real>(plan: Plan<'_>, from: Origin<'_>) -> Result<(), Failure> {
     match plan.scene.fluid.as_ref().map(|fluid| fluid.numerics.weight) {
         Some(Weight::Rational) => whole::<T, _>(plan, Rational, from),
         // Without a fluid any weight will do.
@@ -72,7 +72,7 @@ fn with_weight<T: Real>(plan: Plan<'_>, from: From<'_>) -> Result<(), Failure> {
     }
 }
 
-fn whole<T: Real, K: Kernel<T>>(plan: Plan<'_>, weight: K, from: From<'_>) -> Result<(), Failure> {
+fn whole<T: Real, K: Kernel<T>>(plan: Plan<'_>, weight: K, from: Origin<'_>) -> Result<(), Failure> {
     let Plan { scene, layout, name, common, end, interval, rotation } = plan;
     let parallel = common.parallel()?;
     // As at the start of the run also where it goes on: what pictures show is found from there.
@@ -86,14 +86,15 @@ fn whole<T: Real, K: Kernel<T>>(plan: Plan<'_>, weight: K, from: From<'_>) -> Re
     let mut keeper = Keeper::new(&dir, rotation, identity, settings, interval)?;
     let (quiet, mut seconds) = (common.quiet, 0.0);
     // Inside the pool the loops of a step need no hand-over between threads.
-    let done = parallel.install(|| -> Result<(), Failure> {
+    let done = parallel.install(|| -> Result<Result<(), Failure>, Failure> {
         let mut watched = Watched::new(scene, &mut world, &mut observer, fields, &parallel, &mut keeper);
+        // What does not fit leaves the results there are alone.
         if let Some((state, path)) = from {
             let unfit = |error| format!("{} cannot be gone on from: {error}", path.display());
             seconds = watched.restore(state).map_err(unfit)?;
         }
-        record(&mut watched, end, quiet, &mut seconds)
-    });
+        Ok(record(&mut watched, end, quiet, &mut seconds))
+    })?;
 
     // Whatever happened, what has been computed is kept.
     report::plots(&dir, scene, &observer)?;

@@ -123,7 +123,7 @@ impl<T: Real, K: Kernel<T>> Recorded for Watched<'_, T, K> {
         (self.last_step, self.stepping) = (dt, stepping);
         let stop = self.keeper.is_stopped();
         if stop || last || self.keeper.is_due() {
-            self.save()?;
+            self.save().map_err(|failure| self.keeper.failed(failure))?;
         }
         if stop && !last { Err(self.keeper.interrupted().into()) } else { Ok(()) }
     }
