@@ -13,6 +13,20 @@ pub trait Recorded {
     /// Steps so far.
     fn steps(&self) -> u64;
 
+    /// Length of the step that led to the present state \[s\], of a run that goes on; zero at a start.
+    fn last_step(&self) -> f64 {
+        0.0
+    }
+
+    /// Keeps the present state if that is due, before it is looked at. `dt` \[s\] is the step that led here, `stepping` \[s\] what all steps have
+    /// taken; `last` at the end of the run. Nothing by default.
+    ///
+    /// # Errors
+    /// If it cannot be written, or the run is to stop here.
+    fn keep(&mut self, _dt: f64, _stepping: f64, _last: bool) -> Result<(), Failure> {
+        Ok(())
+    }
+
     /// Looks at the present state and writes what is due. `dt` \[s\] is the step that led here; `last` at the end of
     /// the run.
     ///
@@ -57,10 +71,11 @@ impl<R: Recorded> fmt::Display for Remark<'_, R> {
 /// The first error of the run.
 pub fn record(run: &mut impl Recorded, end: f64, quiet: bool, stepping: &mut f64) -> Result<(), Failure> {
     let mut progress = Progress::new(quiet, end);
-    let mut dt = 0.0;
+    let mut dt = run.last_step();
     loop {
         let time = run.time();
         let last = time >= end;
+        run.keep(dt, *stepping, last)?;
         run.look(dt, last)?;
         if last {
             progress.finish(time, run.steps());

@@ -1,5 +1,7 @@
 //! When something is to happen in a time loop whose steps have no fixed length.
 
+use mps_kernel::Transfer;
+
 /// Something that is to happen at regular simulated times, from the start on.
 #[derive(Clone, Copy, Debug)]
 pub struct Due {
@@ -18,9 +20,20 @@ impl Due {
         Self { interval: f64::INFINITY, next: f64::INFINITY }
     }
 
+    /// Saves or restores when it happens next.
+    pub fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        let Self { interval: _, next } = self;
+        transfer.value("due", next);
+    }
+
+    /// Whether its time has come.
+    pub fn has_come(&self, time: f64) -> bool {
+        time >= self.next
+    }
+
     /// Whether it is to happen now; if so, it will be due again an interval later.
     pub fn is_due(&mut self, time: f64) -> bool {
-        let due = time >= self.next;
+        let due = self.has_come(time);
         if due {
             self.next = ((time / self.interval).floor() + 1.0) * self.interval;
         }

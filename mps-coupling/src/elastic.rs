@@ -2,7 +2,7 @@
 
 use crate::{Structure, StructureEnergy};
 use mps_kernel::weights::WendlandC2;
-use mps_kernel::{Kernel, Real, Vector};
+use mps_kernel::{Kernel, Real, Transfer, Vector};
 use mps_neighbors::Parallel;
 use mps_solid::{ConstitutiveModel, Solid};
 use std::any::Any;
@@ -73,6 +73,11 @@ where
     ) -> Result<(), Box<dyn Error + Send + Sync>> {
         self.solid.kick(parallel, force, dt)?;
         Ok(self.solid.advance(parallel, &self.no_force, gravity, dt, substeps)?)
+    }
+
+    fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        let Self { solid, no_force: _ } = self;
+        solid.transfer(transfer);
     }
 
     fn as_any(&self) -> &dyn Any {

@@ -1,7 +1,7 @@
 //! A rigid body that does not move: its forces are of interest.
 
 use crate::{Structure, StructureEnergy};
-use mps_kernel::{Real, Vector};
+use mps_kernel::{Real, Transfer, Vector};
 use mps_neighbors::Parallel;
 use std::any::Any;
 use std::error::Error;
@@ -52,6 +52,12 @@ impl<T: Real, const D: usize> Structure<T, D> for Fixed<T, D> {
         _: usize,
     ) -> Result<(), Box<dyn Error + Send + Sync>> {
         Ok(())
+    }
+
+    /// Nothing moves.
+    fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        let Self { positions, volumes: _, rest: _, spacing: _ } = self;
+        transfer.same("points", positions.len());
     }
 
     fn as_any(&self) -> &dyn Any {

@@ -6,6 +6,7 @@ mod elastic;
 mod error;
 mod fixed;
 mod register;
+mod saved;
 mod scene;
 mod structure;
 

@@ -24,8 +24,8 @@ pub struct Interface<T: Real, const D: usize> {
     /// Points the fluid sees: the surface and what lies within the effective radius of the fluid
     /// behind it. They are the walls and ghosts of the fluid.
     pub visible: Vec<u32>,
-    rows: Rows,
-    radius: T,
+    pub(crate) rows: Rows,
+    pub(crate) radius: T,
 }
 
 impl<T: Real, const D: usize> Interface<T, D> {

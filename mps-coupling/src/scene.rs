@@ -8,15 +8,15 @@ use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::{Domain, Open, Parallel};
 
 /// A structure in a scene.
-struct Body<T: Real, const D: usize> {
-    structure: Box<dyn Structure<T, D>>,
-    interface: Interface<T, D>,
+pub(crate) struct Body<T: Real, const D: usize> {
+    pub(crate) structure: Box<dyn Structure<T, D>>,
+    pub(crate) interface: Interface<T, D>,
     /// Its points among those of the fluid's boundary.
-    range: Range<usize>,
+    pub(crate) range: Range<usize>,
     /// Force on each of its points \[N\].
-    force: Vec<Vector<T, D>>,
+    pub(crate) force: Vec<Vector<T, D>>,
     /// Positions of its points at the start of the step \[m\].
-    start: Vec<Vector<T, D>>,
+    pub(crate) start: Vec<Vector<T, D>>,
 }
 
 impl<T: Real, const D: usize> Body<T, D> {
@@ -57,10 +57,10 @@ pub struct Scene<
     V: Viscosity<T, D> = (),
     P: Domain<T, D> = Open,
 > {
-    fluid: Fluid<T, D, K, V, P>,
-    bodies: Vec<Body<T, D>>,
-    budget: Budget<T, D>,
-    substeps: usize,
+    pub(crate) fluid: Fluid<T, D, K, V, P>,
+    pub(crate) bodies: Vec<Body<T, D>>,
+    pub(crate) budget: Budget<T, D>,
+    pub(crate) substeps: usize,
     /// The two sides of the interface are compared every so many steps; 0 never. Default 100.
     pub audit_interval: u64,
     /// Sub-steps of the structures in one fluid step at least. Default 1. A structure knows the limit of its own vibrations only;

@@ -1,6 +1,6 @@
 //! What a fluid needs of anything solid that moves.
 
-use mps_kernel::{Real, Vector};
+use mps_kernel::{Real, Transfer, Vector};
 use mps_neighbors::Parallel;
 use std::any::Any;
 use std::error::Error;
@@ -62,6 +62,15 @@ pub trait Structure<T: Real, const D: usize>: Send + Sync {
         dt: T,
         substeps: usize,
     ) -> Result<(), Box<dyn Error + Send + Sync>>;
+
+    /// Saves everything the structure needs to go on with the same bits, or restores it into one that was built in the same way
+    /// ([`Transfer`] is gone through in both directions). A structure that does not implement this can be in a scene, but the scene cannot
+    /// be saved.
+    fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        transfer.refuse(
+            "a structure of this type cannot be saved: implement `Structure::transfer` for it, or run the scene in one piece",
+        );
+    }
 
     /// The structure itself, for probes and output that know its type.
     fn as_any(&self) -> &dyn Any;

@@ -51,7 +51,7 @@ pub struct Boundary<T: Real, const D: usize> {
     pub shear: Vec<Shear>,
     /// Force of the fluid on the point \[N\], of the reactive points only.
     pub force: Vec<Vector<T, D>>,
-    reactive: Range<usize>,
+    pub(crate) reactive: Range<usize>,
 }
 
 impl<T: Real, const D: usize> Default for Boundary<T, D> {

@@ -42,6 +42,8 @@ pub struct Fluid<
     pub(crate) steps: u64,
     /// Length of the previous step \[s\], 0 before the first.
     pub(crate) last_dt: T,
+    /// A step has begun and is not finished.
+    pub(crate) halfway: bool,
 }
 
 /// What the sweeps of a step leave behind, one entry a particle. Rebuilt in every step, hence
@@ -155,6 +157,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             time: T::zero(),
             steps: 0,
             last_dt: T::zero(),
+            halfway: false,
         };
         // So that the pressure belongs to the density from the start.
         fluid.evaluate_pressure(&Parallel::serial());
@@ -179,6 +182,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// # Errors
     /// If a particle's state is not finite or its speed makes the time step collapse.
     pub fn begin_step(&mut self, parallel: &Parallel) -> Result<T, FluidError> {
+        self.halfway = true;
         self.meet_neighbours(parallel)?;
         self.drive_inlets()?;
         self.shift(parallel)?;
@@ -239,6 +243,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         self.time += dt;
         self.last_dt = dt;
         self.steps += 1;
+        self.halfway = false;
     }
 
     /// Rebuilds the neighbour rows if they have expired. Particles enter and leave on that occasion.

@@ -22,6 +22,7 @@ mod open;
 mod packing;
 mod particles;
 mod regularize;
+mod saved;
 mod search;
 pub mod surface;
 mod terms;

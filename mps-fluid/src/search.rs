@@ -1,8 +1,8 @@
 //! The neighbour rows of the fluid and when they are rebuilt.
 
 use crate::{Boundary, FluidConfig, FluidError, FluidParticles};
-use mps_kernel::{Real, Vector};
-use mps_neighbors::{Cells, Domain, Parallel, Permutation, Rows, Skin};
+use mps_kernel::{Real, Transfer, Vector};
+use mps_neighbors::{Cells, Domain, NeighborError, Parallel, Permutation, Rows, Skin};
 
 /// Rows fluid -> fluid, fluid -> boundary and structure -> fluid, valid until somebody has moved
 /// half a skin.
@@ -71,27 +71,79 @@ impl<T: Real, const D: usize> Search<T, D> {
         self.cells.build(parallel, domain, &particles.position, self.reach)?;
         self.permutation.apply(particles, self.cells.order())?;
         self.cells.settle();
-        let points: &[Vector<T, D>] = &particles.position;
+        self.find_rows(parallel, domain, &particles.position, &boundary.position, boundary)?;
+        self.skin.renew(&[&particles.position, &boundary.position]);
+        self.rebuilds += 1;
+        Ok(())
+    }
+
+    /// Rows of the particles at `points`, for which the cells are built, among themselves and among boundary points at `walls`.
+    fn find_rows<P: Domain<T, D>>(
+        &mut self,
+        parallel: &Parallel,
+        domain: &P,
+        points: &[Vector<T, D>],
+        walls: &[Vector<T, D>],
+        boundary: &Boundary<T, D>,
+    ) -> Result<(), NeighborError> {
         self.fluid.build_within(parallel, domain, &self.cells, points, self.reach)?;
         if let Some(reach) = self.close_reach {
             self.close.build_within(parallel, domain, &self.cells, points, reach)?;
         }
-        if !boundary.is_empty() {
-            self.boundary_cells.build(parallel, domain, &boundary.position, self.reach)?;
-            self.boundary.build_between(
-                parallel,
-                domain,
-                &self.boundary_cells,
-                points,
-                &boundary.position,
-                self.reach,
-            )?;
+        if !walls.is_empty() {
+            self.boundary_cells.build(parallel, domain, walls, self.reach)?;
+            self.boundary.build_between(parallel, domain, &self.boundary_cells, points, walls, self.reach)?;
             if !boundary.reactive().is_empty() {
-                self.reaction.transpose_of(&self.boundary, boundary.len())?;
+                self.reaction.transpose_of(&self.boundary, walls.len())?;
             }
         }
-        self.skin.renew(&[points, &boundary.position]);
-        self.rebuilds += 1;
+        Ok(())
+    }
+
+    /// Saves or restores where everybody was when the rows were built, and builds the same rows again.
+    pub(crate) fn transfer<P: Domain<T, D>>(
+        &mut self,
+        parallel: &Parallel,
+        domain: &P,
+        boundary: &Boundary<T, D>,
+        transfer: &mut Transfer<'_>,
+    ) {
+        // The rows follow from the skin; cells and permutation are working space.
+        let Self {
+            fluid: _,
+            boundary: _,
+            reaction: _,
+            close: _,
+            cells: _,
+            boundary_cells: _,
+            permutation: _,
+            skin,
+            reach: _,
+            close_reach: _,
+            rebuilds,
+        } = self;
+        transfer.within("skin", |transfer| skin.transfer(transfer));
+        transfer.value("rebuilds", rebuilds);
+        if transfer.is_restoring()
+            && transfer.is_good()
+            && let Err(error) = self.rebuild_from_skin(parallel, domain, boundary)
+        {
+            transfer.refuse(error);
+        }
+    }
+
+    fn rebuild_from_skin<P: Domain<T, D>>(
+        &mut self,
+        parallel: &Parallel,
+        domain: &P,
+        boundary: &Boundary<T, D>,
+    ) -> Result<(), NeighborError> {
+        // Taken out for as long as the rows are built.
+        let skin = self.skin.clone();
+        if let Some([points, walls]) = skin.built_from() {
+            self.cells.build(parallel, domain, points, self.reach)?;
+            self.find_rows(parallel, domain, points, walls, boundary)?;
+        }
         Ok(())
     }
 }

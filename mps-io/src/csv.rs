@@ -1,11 +1,12 @@
 //! Tables of numbers: time series of probes, and reference curves to compare them with.
 
 use std::fmt::Write as _;
-use std::fs::File;
-use std::io::Write as _;
+use std::fs::{File, OpenOptions};
+use std::io::{Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
 use crate::OutputError;
+use mps_kernel::Transfer;
 
 /// A comma-separated table that grows by one row at a time.
 ///
@@ -29,13 +30,62 @@ impl CsvWriter {
     pub fn create(path: impl AsRef<Path>, columns: &[&str]) -> Result<Self, OutputError> {
         let path = path.as_ref().to_path_buf();
         let file = File::create(&path).map_err(OutputError::file("create", &path))?;
-        let mut writer = Self { path, file, columns: columns.len(), rows: 0, line: String::new() };
-        for (k, name) in columns.iter().enumerate() {
-            writer.line += if k == 0 { "" } else { "," };
-            writer.line += &quoted(name);
-        }
+        let mut writer = Self { path, file, columns: columns.len(), rows: 0, line: header(columns) };
         writer.send()?;
         Ok(writer)
+    }
+
+    /// Opens the file of a run that goes on, with all its rows; [`transfer`](Self::transfer) says how many of them are kept.
+    ///
+    /// # Errors
+    /// The file cannot be read or written, or has other columns.
+    pub fn resume(path: impl AsRef<Path>, columns: &[&str]) -> Result<Self, OutputError> {
+        let path = path.as_ref().to_path_buf();
+        let text = std::fs::read_to_string(&path).map_err(OutputError::file("read", &path))?;
+        if text.lines().next() != Some(&header(columns)) {
+            let problem = "does not have the columns of this run: put the file of the run back".to_owned();
+            return Err(OutputError::Table { path, line: 1, problem });
+        }
+        let open = OpenOptions::new().append(true).open(&path);
+        let file = open.map_err(OutputError::file("open", &path))?;
+        let rows = text.lines().count() as u64 - 1;
+        Ok(Self { path, file, columns: columns.len(), rows, line: String::new() })
+    }
+
+    /// Saves how many rows there are, or goes back to that many: those written later are cut off.
+    pub fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        let mut rows = self.rows;
+        transfer.value("rows", &mut rows);
+        if transfer.is_restoring()
+            && transfer.is_good()
+            && let Err(error) = self.cut(rows)
+        {
+            transfer.refuse(error);
+        }
+    }
+
+    fn cut(&mut self, rows: u64) -> Result<(), OutputError> {
+        let path = &self.path;
+        let text = std::fs::read_to_string(path).map_err(OutputError::file("read", path))?;
+        let kept = text.split_inclusive('\n').filter(|line| line.ends_with('\n')).take(rows as usize + 1);
+        let (lines, bytes) = kept.fold((0, 0), |(lines, bytes), line| (lines + 1, bytes + line.len() as u64));
+        if lines != rows + 1 {
+            let problem =
+                format!("the file ends here, and the checkpoint is of a run with {rows} rows: put it back");
+            return Err(OutputError::Table { path: path.clone(), line: lines as usize + 1, problem });
+        }
+        let cut = self.file.set_len(bytes).and_then(|()| self.file.seek(SeekFrom::Start(bytes)));
+        cut.map_err(OutputError::file("cut", path))?;
+        self.rows = rows;
+        Ok(())
+    }
+
+    /// Forces the rows to the disk, where they outlast a loss of power.
+    ///
+    /// # Errors
+    /// The disk refuses.
+    pub fn sync(&self) -> Result<(), OutputError> {
+        self.file.sync_data().map_err(OutputError::file("write", &self.path))
     }
 
     /// Appends one row. Numbers are written with as many digits as give back the same bits.
@@ -143,6 +193,11 @@ fn cells(line: &str) -> Vec<String> {
     }
     cells.push(cell.trim().to_owned());
     cells
+}
+
+/// The first line, without its end.
+fn header(columns: &[&str]) -> String {
+    columns.iter().map(|name| quoted(name)).collect::<Vec<_>>().join(",")
 }
 
 /// A column name as RFC 4180 wants it.

@@ -11,11 +11,13 @@
 //! - [`FieldPicture`], [`Film`]: particles coloured by pressure or strain, stills and animated PNG.
 //! - [`Progress`]: how far a run is and when it will be done.
 //! - [`Summary`], [`Metric`]: `summary.json`, the record of a run.
+//! - [`checkpoint`]: the state of a run in a file from which it goes on with the same bits.
 //! - [`scene_file`]: scenes as text, read, checked and written.
 //!
 //! Everything that replaces a file does so whole or not at all, so that a reader never meets half a
 //! file; what grows (tables, films) is complete after every piece. A killed run keeps its results.
 
+pub mod checkpoint;
 mod csv;
 mod directory;
 mod error;

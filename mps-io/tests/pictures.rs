@@ -82,6 +82,26 @@ fn a_film_can_be_played_after_every_frame() {
     }
 }
 
+/// What was filmed after the marks were taken is cut off, and the film can be played at once.
+#[test]
+fn a_film_goes_on_where_it_was() {
+    let path = directory("resumed").join("film.png");
+    let mut film = Film::create(&path, 25).unwrap();
+    let images: Vec<Image> = (0..5).map(frame).collect();
+    let drawn: Vec<Vec<u8>> = images.iter().map(|image| image.rgb().to_vec()).collect();
+    images[..2].iter().for_each(|image| film.push(image).unwrap());
+    let marks = film.marks();
+    images[2..].iter().for_each(|image| film.push(image).unwrap());
+    drop(film);
+    let mut film = Film::resume(&path, 25, marks).unwrap();
+    assert!(play(&path).1 == drawn[..2]);
+    images[2..].iter().for_each(|image| film.push(image).unwrap());
+    assert!(play(&path).1 == drawn);
+    std::fs::write(&path, b"short").unwrap();
+    let error = Film::resume(&path, 25, marks).err().unwrap();
+    assert!(error.to_string().contains("it is shorter than it was"), "{error}");
+}
+
 #[test]
 fn only_the_changed_part_is_stored() {
     let path = directory("patch").join("film.png");

@@ -5,6 +5,7 @@ mod common;
 
 use common::directory;
 use mps_io::{CsvTable, CsvWriter, OutputError};
+use mps_kernel::State;
 use proptest::prelude::*;
 
 /// A killed run drops nothing: not even the destructor runs.
@@ -20,6 +21,33 @@ fn a_killed_run_keeps_its_rows() {
     std::mem::forget(writer);
     let table = CsvTable::read(&path).unwrap();
     assert_eq!(table.column("time [s]").unwrap().last(), Some(&(0.1 * 9.0)));
+}
+
+/// A run that goes on has neither a gap nor a row twice, also when the last line was cut by a kill.
+#[test]
+fn a_table_goes_on_where_it_was() {
+    let path = directory("resumed").join("probe.csv");
+    let names = ["time [s]", "x, left [m]"];
+    let mut writer = CsvWriter::create(&path, &names).unwrap();
+    writer.row(&[0.0, 1.0]).unwrap();
+    writer.row(&[0.1, 2.0]).unwrap();
+    let state = State::save(|transfer| writer.transfer(transfer)).unwrap();
+    writer.row(&[0.2, 3.0]).unwrap();
+    drop(writer);
+    let mut text = std::fs::read_to_string(&path).unwrap();
+    text += "0.3,";
+    std::fs::write(&path, text).unwrap();
+    let mut writer = CsvWriter::resume(&path, &names).unwrap();
+    state.restore(|transfer| writer.transfer(transfer)).unwrap();
+    assert_eq!(writer.rows(), 2);
+    writer.row(&[0.25, 4.0]).unwrap();
+    assert_eq!(CsvTable::read(&path).unwrap().columns, [[0.0, 0.1, 0.25], [1.0, 2.0, 4.0]]);
+    let other = CsvWriter::resume(&path, &names[..1]).err().unwrap();
+    assert!(other.to_string().contains("does not have the columns of this run"), "{other}");
+    CsvWriter::create(&path, &names).unwrap();
+    let mut writer = CsvWriter::resume(&path, &names).unwrap();
+    let shorter = state.restore(|transfer| writer.transfer(transfer)).unwrap_err();
+    assert!(shorter.to_string().contains("the checkpoint is of a run with 2 rows"), "{shorter}");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! When rows must be built anew.
 
 use crate::{Domain, Parallel};
-use mps_kernel::{Real, Vector};
+use mps_kernel::{Real, Transfer, Vector};
 
 /// Remembers where every particle was when the rows were built.
 ///
@@ -66,6 +66,33 @@ impl<T: Real, const D: usize> Skin<T, D> {
         for (kept, now) in self.positions.iter_mut().zip(sets) {
             kept.clear();
             kept.extend_from_slice(now);
+        }
+    }
+
+    /// The positions of each set that the rows were built from; `None` if there are no rows.
+    pub fn built_from(&self) -> Option<&[Vec<Vector<T, D>>]> {
+        self.built.then_some(&self.positions)
+    }
+
+    /// Saves or restores the remembered positions. Whoever restores them builds the rows from them again:
+    /// rows decide, by the order of their sums, the bits of what follows, and by their age when they expire.
+    pub fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        let Self { skin: _, built, positions } = self;
+        let mut sets = positions.len() as u64;
+        transfer.flag("built", built);
+        transfer.value("sets", &mut sets);
+        if transfer.is_good() {
+            // As many sections follow as were saved; a number that is not true runs out of them.
+            positions.truncate(usize::try_from(sets).unwrap_or(usize::MAX));
+            for k in 0..sets {
+                if !transfer.is_good() {
+                    return;
+                }
+                if k as usize == positions.len() {
+                    positions.push(Vec::new());
+                }
+                transfer.list("positions", &mut positions[k as usize]);
+            }
         }
     }
 

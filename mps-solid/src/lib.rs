@@ -53,6 +53,7 @@ mod particles;
 pub mod point;
 mod preparation;
 pub mod relaxation;
+mod saved;
 mod solid;
 pub mod spin;
 pub mod stabilization;

@@ -6,13 +6,15 @@ use mps_fluid::surface::Surface;
 use mps_io::scene_file::{Corners, SceneFile};
 use mps_io::{ColorMap, FieldOptions, FieldPicture, FieldWriter, Film, PointCloud, View};
 use mps_kernel::tensor::{green_lagrange, largest_eigenvalue};
-use mps_kernel::{Kernel, Real, Vector};
+use mps_kernel::{Kernel, Real, Transfer, Vector};
 use mps_neighbors::Parallel;
 use std::path::{Path, PathBuf};
 
 /// Width of the pictures \[pixels\].
 const WIDTH: u32 = 1100;
 const GREY: [u8; 3] = [150, 150, 150];
+/// Frames of the film in a second.
+const RATE: u16 = 20;
 
 /// Writes the state of a scene in all forms.
 pub(super) struct Fields {
@@ -52,6 +54,38 @@ impl Fields {
             strain_scale: output.strain_scale.unwrap_or(0.1),
             surface: Vec::new(),
         })
+    }
+
+    /// Saves how far the collections and the film are, or goes back to where they were.
+    pub(super) fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        let Self {
+            dir,
+            title: _,
+            water,
+            solids,
+            film,
+            view: _,
+            pressure_scale: _,
+            strain_scale: _,
+            surface: _,
+        } = self;
+        transfer.within("water", |transfer| water.transfer(transfer));
+        solids.iter_mut().for_each(|writer| writer.transfer(transfer));
+        let mut marks = film.as_ref().map(Film::marks).unwrap_or_default();
+        transfer.array("film", &mut marks);
+        if transfer.is_restoring() && transfer.is_good() {
+            // No frames, no film yet.
+            let resumed = (marks[1] > 0).then(|| Film::resume(film_in(dir), RATE, marks)).transpose();
+            match resumed {
+                Ok(resumed) => *film = resumed,
+                Err(error) => transfer.refuse(error),
+            }
+        }
+    }
+
+    /// Forces the film to the disk.
+    pub(super) fn sync(&self) -> Result<(), Failure> {
+        Ok(self.film.as_ref().map_or(Ok(()), Film::sync)?)
     }
 
     /// One frame of `water.pvd` and of one collection a body.
@@ -140,12 +174,16 @@ impl Fields {
         if frame {
             let film = match &mut self.film {
                 Some(film) => film,
-                None => self.film.insert(Film::create(self.dir.join("film.png"), 20)?),
+                None => self.film.insert(Film::create(film_in(&self.dir), RATE)?),
             };
             film.push(&image)?;
         }
         Ok(())
     }
+}
+
+fn film_in(dir: &Path) -> PathBuf {
+    dir.join("film.png")
 }
 
 /// Largest principal value of the Green-Lagrange strain of every particle.

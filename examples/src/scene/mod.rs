@@ -8,13 +8,16 @@
 //! | `water`, `bodies`, `movers` | fluid, elastic bodies, moved walls |
 //! | `world` | what is stepped: fluid with bodies, or bodies alone |
 //! | `clearance`, `diagnosis` | what is wrong with a scene that can be seen before it runs |
-//! | `probes`, `observer`, `fields`, `run`, `report` | what is measured, written, and said |
+//! | `probes`, `observer`, `fields`, `report` | what is measured, written, and said |
+//! | `run`, `watched` | the run, with all that watches it |
+//! | `keeper`, `resume` | its checkpoints, and how it goes on from one |
 //! | `plan` | what a run will cost |
 
 mod bodies;
 mod clearance;
 mod diagnosis;
 mod fields;
+mod keeper;
 mod lattice;
 mod law;
 mod layout;
@@ -24,8 +27,10 @@ mod observer;
 mod plan;
 mod probes;
 mod report;
+mod resume;
 mod run;
 mod viscosity;
+mod watched;
 mod water;
 mod world;
 
@@ -33,6 +38,7 @@ pub use diagnosis::{Diagnosis, diagnose};
 pub use law::Law;
 pub use layout::Layout;
 pub use plan::plan;
+pub use resume::resume;
 pub use run::run;
 pub use viscosity::Viscous;
 pub use world::World;

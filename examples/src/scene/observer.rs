@@ -3,11 +3,11 @@
 use super::World;
 use super::probes::Probe;
 use crate::Failure;
-use mps_io::CsvWriter;
 use mps_io::scene_file::SceneFile;
-use mps_kernel::{Kernel, Real};
+use mps_io::{CsvTable, CsvWriter};
+use mps_kernel::{Kernel, Real, Transfer};
 use mps_neighbors::Parallel;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Columns that every scene has, behind those of its probes.
 const COLUMNS: [&str; 10] = [
@@ -25,6 +25,7 @@ const COLUMNS: [&str; 10] = [
 
 /// The record of a run.
 pub(super) struct Observer<T: Real> {
+    path: PathBuf,
     csv: CsvWriter,
     probes: Vec<Probe<T>>,
     /// Names of the columns, the time first.
@@ -36,10 +37,12 @@ pub(super) struct Observer<T: Real> {
 }
 
 impl<T: Real> Observer<T> {
+    /// Begins the table, or goes on with that of a run that `resumes`.
     pub(super) fn new<K: Kernel<T>>(
         dir: &Path,
         scene: &SceneFile,
         world: &World<T, K>,
+        resumes: bool,
     ) -> Result<Self, Failure> {
         let probes = Probe::all(scene, world)?;
         let mut names = vec!["time [s]".to_owned()];
@@ -47,8 +50,10 @@ impl<T: Real> Observer<T> {
         let measured = names.len();
         names.extend(COLUMNS.map(str::to_owned));
         let headings: Vec<&str> = names.iter().map(String::as_str).collect();
-        let csv = CsvWriter::create(dir.join("probes.csv"), &headings)?;
-        Ok(Self { csv, probes, names, measured, rows: Vec::new() })
+        let path = dir.join("probes.csv");
+        let csv =
+            if resumes { CsvWriter::resume(&path, &headings) } else { CsvWriter::create(&path, &headings) }?;
+        Ok(Self { path, csv, probes, names, measured, rows: Vec::new() })
     }
 
     /// Writes a row of `probes.csv`; `dt` \[s\] is the step that led here.
@@ -77,6 +82,28 @@ impl<T: Real> Observer<T> {
         self.csv.row(&row)?;
         self.rows.push(row);
         Ok(())
+    }
+
+    /// Saves how many rows there are, or goes back to those there were.
+    pub(super) fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        let Self { path, csv, probes: _, names: _, measured: _, rows } = self;
+        csv.transfer(transfer);
+        if transfer.is_restoring() && transfer.is_good() {
+            match CsvTable::read(&*path) {
+                // The numbers of the table have the bits of those that were written.
+                Ok(table) => {
+                    let cell = |column: &Vec<f64>, k: usize| column.get(k).copied().unwrap_or(f64::NAN);
+                    let row = |k: usize| table.columns.iter().map(|column| cell(column, k)).collect();
+                    *rows = (0..csv.rows() as usize).map(row).collect();
+                }
+                Err(error) => transfer.refuse(error),
+            }
+        }
+    }
+
+    /// Forces the rows to the disk.
+    pub(super) fn sync(&self) -> Result<(), Failure> {
+        Ok(self.csv.sync()?)
     }
 
     /// A column of the record.

@@ -1,62 +1,100 @@
-//! A run of a scene, with everything that watches it.
+//! A run of a scene, from its beginning or from a checkpoint.
 
 use super::fields::Fields;
+use super::keeper::Keeper;
 use super::observer::Observer;
+use super::resume::checkpoints;
+use super::watched::Watched;
 use super::{Layout, World, report};
-use crate::{Common, Cost, Due, Failure, Precision, Recorded, conclude, record};
+use crate::{Common, Cost, Failure, Precision, conclude, record};
+use mps_io::checkpoint::{Identity, Rotation};
 use mps_io::scene_file::{SceneFile, Weight};
 use mps_kernel::weights::{Rational, WendlandGradient};
-use mps_kernel::{Kernel, Real};
-use mps_neighbors::Parallel;
-use std::fmt;
+use mps_kernel::{Kernel, Real, State};
+use std::path::Path;
+
+/// Name and version that a checkpoint has to be of.
+pub(super) const PROGRAM: &str = concat!("mps ", env!("CARGO_PKG_VERSION"));
+
+/// What is to be run, and how.
+pub(super) struct Plan<'a> {
+    pub(super) scene: &'a SceneFile,
+    pub(super) layout: &'a Layout,
+    pub(super) name: &'a str,
+    /// With the directory of the results.
+    pub(super) common: &'a Common,
+    /// The simulated time at which it ends \[s\].
+    pub(super) end: f64,
+    /// Wall time between two checkpoints \[s\], 0 for none.
+    pub(super) interval: f64,
+    pub(super) rotation: Rotation,
+}
+
+/// A state to go on from, and the file it was in.
+type Origin<'a> = Option<(&'a State, &'a Path)>;
 
 /// Runs a scene that has been found good, and writes its results to the directory of `common`, else to that of the
-/// scene, else to `out/<name>`.
+/// scene, else to `out/<name>`. Every `interval` seconds of wall time it writes a checkpoint there, none for zero; one more at a signal, and at
+/// the end.
 ///
 /// # Errors
 /// What breaks the run off. What has been computed until then is kept.
-pub fn run(scene: &SceneFile, layout: &Layout, name: &str, common: &Common) -> Result<(), Failure> {
-    match common.precision {
-        Precision::F32 => with_weight::<f32>(scene, layout, name, common),
-        Precision::F64 => with_weight::<f64>(scene, layout, name, common),
-    }
-}
-
-fn with_weight<T: Real>(
+pub fn run(
     scene: &SceneFile,
     layout: &Layout,
     name: &str,
     common: &Common,
+    interval: f64,
 ) -> Result<(), Failure> {
-    match scene.fluid.as_ref().map(|fluid| fluid.numerics.weight) {
-        Some(Weight::Rational) => whole::<T, _>(scene, layout, name, common, Rational),
-        // Without a fluid any weight will do.
-        Some(Weight::Smooth) | None => whole::<T, _>(scene, layout, name, common, WendlandGradient),
-    }
-}
-
-fn whole<T: Real, K: Kernel<T>>(
-    scene: &SceneFile,
-    layout: &Layout,
-    name: &str,
-    common: &Common,
-    weight: K,
-) -> Result<(), Failure> {
-    let parallel = common.parallel()?;
-    let mut world = World::<T, K>::new(scene, layout, weight, &parallel)?;
     let mut common = common.clone();
     common.out = common.out.or_else(|| scene.output.directory.as_ref().map(Into::into));
     let dir = common.output(name)?;
+    // A run that begins has nothing to do with what an earlier one has left here.
+    let rotation = Rotation::new(checkpoints(&dir));
+    rotation.clear()?;
     // The scene as it is run, beside its results.
     std::fs::write(dir.join("scene.toml"), scene.to_toml()?)?;
-    let mut observer = Observer::new(&dir, scene, &world)?;
+    run_plan(Plan { scene, layout, name, common: &common, end: scene.end_time, interval, rotation }, None)
+}
+
+pub(super) fn run_plan(plan: Plan<'_>, from: Origin<'_>) -> Result<(), Failure> {
+    match plan.common.precision {
+        Precision::F32 => with_weight::<f32>(plan, from),
+        Precision::F64 => with_weight::<f64>(plan, from),
+    }
+}
+
+fn with_weight<T: Real>(plan: Plan<'_>, from: Origin<'_>) -> Result<(), Failure> {
+    match plan.scene.fluid.as_ref().map(|fluid| fluid.numerics.weight) {
+        Some(Weight::Rational) => whole::<T, _>(plan, Rational, from),
+        // Without a fluid any weight will do.
+        Some(Weight::Smooth) | None => whole::<T, _>(plan, WendlandGradient, from),
+    }
+}
+
+fn whole<T: Real, K: Kernel<T>>(plan: Plan<'_>, weight: K, from: Origin<'_>) -> Result<(), Failure> {
+    let Plan { scene, layout, name, common, end, interval, rotation } = plan;
+    let parallel = common.parallel()?;
+    // As at the start of the run also where it goes on: what pictures show is found from there.
+    let mut world = World::<T, K>::new(scene, layout, weight, &parallel)?;
+    let dir = common.output(name)?;
+    let mut observer = Observer::new(&dir, scene, &world, from.is_some())?;
     let fields = if common.no_fields { None } else { Some(Fields::new(&dir, scene, &world)?) };
-    let (end, quiet, mut seconds) = (scene.end_time, common.quiet, 0.0);
+    let identity = Identity::new(PROGRAM, common.precision.name(), &scene.to_toml()?);
+    let settings = [("name", name), ("fields", if common.no_fields { "no" } else { "yes" })];
+    let settings = settings.map(|(key, value)| (key.to_owned(), value.to_owned())).into();
+    let mut keeper = Keeper::new(&dir, rotation, identity, settings, interval)?;
+    let (quiet, mut seconds) = (common.quiet, 0.0);
     // Inside the pool the loops of a step need no hand-over between threads.
-    let done = parallel.install(|| {
-        let mut watched = Watched::new(scene, &mut world, &mut observer, fields, &parallel);
-        record(&mut watched, end, quiet, &mut seconds)
-    });
+    let done = parallel.install(|| -> Result<Result<(), Failure>, Failure> {
+        let mut watched = Watched::new(scene, &mut world, &mut observer, fields, &parallel, &mut keeper);
+        // What does not fit leaves the results there are alone.
+        if let Some((state, path)) = from {
+            let unfit = |error| format!("{} cannot be gone on from: {error}", path.display());
+            seconds = watched.restore(state).map_err(unfit)?;
+        }
+        Ok(record(&mut watched, end, quiet, &mut seconds))
+    })?;
 
     // Whatever happened, what has been computed is kept.
     report::plots(&dir, scene, &observer)?;
@@ -68,77 +106,7 @@ fn whole<T: Real, K: Kernel<T>>(
         particles: layout.fluid_len() + layout.solids_len(),
     };
     let mut summary = report::summary(name, scene, layout, &observer);
-    cost.enter(&mut summary, &common, done.as_ref().err());
-    conclude(&dir, &summary, &common, done.is_ok())?;
+    cost.enter(&mut summary, common, done.as_ref().err());
+    conclude(&dir, &summary, common, done.is_ok())?;
     done
-}
-
-/// A scene, its observer, and what is drawn and when.
-struct Watched<'a, T: Real, K: Kernel<T>> {
-    world: &'a mut World<T, K>,
-    observer: &'a mut Observer<T>,
-    fields: Option<Fields>,
-    parallel: &'a Parallel,
-    probe: Due,
-    frame: Due,
-    field: Due,
-    picture: Due,
-}
-
-impl<'a, T: Real, K: Kernel<T>> Watched<'a, T, K> {
-    fn new(
-        scene: &SceneFile,
-        world: &'a mut World<T, K>,
-        observer: &'a mut Observer<T>,
-        fields: Option<Fields>,
-        parallel: &'a Parallel,
-    ) -> Self {
-        // Never is later than every end.
-        let due = |interval: f64| if interval > 0.0 { Due::every(interval) } else { Due::never() };
-        let [probe, frame, field, picture] = scene.output.intervals(scene.end_time).map(due);
-        Self { world, observer, fields, parallel, probe, frame, field, picture }
-    }
-}
-
-impl<T: Real, K: Kernel<T>> Recorded for Watched<'_, T, K> {
-    fn time(&self) -> f64 {
-        self.world.time()
-    }
-
-    fn steps(&self) -> u64 {
-        self.world.steps()
-    }
-
-    fn look(&mut self, dt: f64, last: bool) -> Result<(), Failure> {
-        let time = self.time();
-        if self.probe.is_due(time) || last {
-            self.observer.record(self.world, self.parallel, dt)?;
-        }
-        if let Some(fields) = &mut self.fields {
-            if self.field.is_due(time) {
-                fields.write(self.world, self.parallel)?;
-            }
-            let due = [self.frame.is_due(time), self.picture.is_due(time)];
-            if due.contains(&true) {
-                fields.draw(self.world, due)?;
-            }
-        }
-        Ok(())
-    }
-
-    fn step(&mut self) -> Result<f64, Failure> {
-        self.world.step(self.parallel)
-    }
-
-    fn keep_wreck(&mut self) -> Result<(), Failure> {
-        if let Some(fields) = &mut self.fields {
-            fields.write(self.world, self.parallel)?;
-            fields.draw(self.world, [false, true])?;
-        }
-        Ok(())
-    }
-
-    fn remark(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{} sub-steps", self.world.substeps())
-    }
 }

@@ -9,7 +9,7 @@ use crate::Failure;
 use mps_coupling::{ElasticBody, Scene, Structure, StructureEnergy};
 use mps_fluid::FluidEnergy;
 use mps_io::scene_file::SceneFile;
-use mps_kernel::{Kernel, Real, Vector};
+use mps_kernel::{Kernel, Real, Transfer, Vector};
 use mps_neighbors::Parallel;
 use mps_solid::Solid;
 
@@ -72,6 +72,14 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
         match self {
             Self::Wet(wet) => wet.step(parallel),
             Self::Dry(dry) => dry.step(parallel),
+        }
+    }
+
+    /// Saves the state between two steps, or restores it into a world of the same scene.
+    pub fn transfer(&mut self, parallel: &Parallel, transfer: &mut Transfer<'_>) {
+        match self {
+            Self::Wet(wet) => transfer.within("wet", |transfer| wet.transfer(parallel, transfer)),
+            Self::Dry(dry) => transfer.within("dry", |transfer| dry.transfer(transfer)),
         }
     }
 
@@ -143,6 +151,13 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
 }
 
 impl<T: Real, K: Kernel<T>> Wet<T, K> {
+    fn transfer(&mut self, parallel: &Parallel, transfer: &mut Transfer<'_>) {
+        // Movers take their velocities from the time, and their places are those of the boundary.
+        let Self { scene, movers: _, last_dt } = self;
+        transfer.within("scene", |transfer| scene.transfer(parallel, transfer));
+        transfer.value("last step", last_dt);
+    }
+
     fn step(&mut self, parallel: &Parallel) -> Result<f64, Failure> {
         let time = self.scene.fluid().time().to_double();
         for mover in &mut self.movers {
@@ -159,6 +174,14 @@ impl<T: Real, K: Kernel<T>> Wet<T, K> {
 }
 
 impl<T: Real> Dry<T> {
+    fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        // Sub-steps are found from the bodies at the start, as in the run that was saved.
+        let Self { bodies, no_force: _, gravity: _, substeps: _, interval: _, intervals } = self;
+        transfer.same("bodies", bodies.len());
+        bodies.iter_mut().for_each(|body| body.transfer(transfer));
+        transfer.value("intervals", intervals);
+    }
+
     fn new(bodies: Vec<Elastic<T>>, gravity: Vector<T, 2>, interval: f64, parallel: &Parallel) -> Self {
         let substeps = |body: &Elastic<T>| {
             (interval / body.solid().max_step(parallel).to_double()).ceil().max(1.0) as usize

@@ -52,11 +52,11 @@ impl<T: Real> EnergyBudget<T> {
 /// The open books.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Books<T: Real, const D: usize> {
-    budget: EnergyBudget<T>,
+    pub(crate) budget: EnergyBudget<T>,
     /// Accelerations from outside in this step \[m/s^2\].
-    field: Vec<Vector<T, D>>,
+    pub(crate) field: Vec<Vector<T, D>>,
     /// Of each particle in this step: see [`Powers`].
-    power: Vec<[T; 4]>,
+    pub(crate) power: Vec<[T; 4]>,
 }
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {

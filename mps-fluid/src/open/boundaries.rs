@@ -10,18 +10,18 @@ use mps_neighbors::Domain;
 /// The inlets and outlets of a fluid.
 #[derive(Debug)]
 pub(crate) struct OpenBoundaries<T: Real, const D: usize> {
-    pub(super) inlets: Vec<Inlet<T, D>>,
-    pub(super) outlets: Vec<Outlet<T, D>>,
+    pub(crate) inlets: Vec<Inlet<T, D>>,
+    pub(crate) outlets: Vec<Outlet<T, D>>,
     /// Density ratio beyond each outlet in this step.
-    pub(super) beyond: Vec<T>,
+    pub(crate) beyond: Vec<T>,
     /// Mean speed through the plane of each outlet in the last step \[m/s\].
-    pub(super) speed: Vec<Option<T>>,
+    pub(crate) speed: Vec<Option<T>>,
     /// Volume that enters per time \[m^D/s\].
-    pub(super) inflow: T,
+    pub(crate) inflow: T,
     /// Number of the next particle.
-    pub(super) next_id: u32,
+    pub(crate) next_id: u32,
     /// Particles that have entered and left so far.
-    pub(super) passed: [u64; 2],
+    pub(crate) passed: [u64; 2],
 }
 
 impl<T: Real, const D: usize> Default for OpenBoundaries<T, D> {

@@ -21,6 +21,7 @@ mod openings;
 mod parameters;
 mod plates;
 mod relaxing;
+mod restart;
 mod resting;
 mod robustness;
 mod shifting;

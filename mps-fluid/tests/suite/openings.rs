@@ -21,7 +21,7 @@ fn opening(at: f64) -> Opening<f64, 2> {
 }
 
 /// A channel at rest with walls of the given slip.
-fn channel<V: Viscosity<f64, 2>>(
+pub(crate) fn channel<V: Viscosity<f64, 2>>(
     slip: Slip,
     viscosity: impl FnOnce(&ReferenceDensity<f64>) -> V,
     speed: impl Fn(&Vector<f64, 2>, f64) -> f64 + Send + Sync + 'static,

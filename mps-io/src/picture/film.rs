@@ -5,7 +5,7 @@
 //! number is then written again: the file is a complete film after every frame, also when the run is
 //! killed.
 
-use std::fs::File;
+use std::fs::{File, OpenOptions};
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -47,6 +47,50 @@ impl Film {
         Ok(Self { path, file, fps: fps.max(1), size, frames: 0, sequence: 0, end: 0, shown })
     }
 
+    /// Where the film is: with [`resume`](Self::resume) it goes on from there.
+    pub fn marks(&self) -> [u64; 5] {
+        let (width, height) = self.size.unwrap_or((0, 0));
+        [self.end, self.frames.into(), self.sequence.into(), width.into(), height.into()]
+    }
+
+    /// Opens a film that goes on where it had these `marks`: what was filmed later is cut off.
+    ///
+    /// # Errors
+    /// The file is not there, is shorter, or cannot be written.
+    pub fn resume(path: impl AsRef<Path>, fps: u16, marks: [u64; 5]) -> Result<Self, OutputError> {
+        let path = path.as_ref().to_path_buf();
+        let mut file = OpenOptions::new()
+            .read(true)
+            .write(true)
+            .open(&path)
+            .map_err(OutputError::file("open", &path))?;
+        let [end, frames, sequence, width, height] = marks;
+        let [frames, sequence, width, height] = [frames, sequence, width, height].map(|mark| mark as u32);
+        let cut = file.metadata().and_then(|found| {
+            if found.len() < end {
+                return Err(io::Error::new(io::ErrorKind::UnexpectedEof, "it is shorter than it was"));
+            }
+            file.set_len(end)?;
+            let mut mark = Vec::new();
+            chunk(&mut mark, b"IEND", &[]);
+            file.seek(SeekFrom::Start(end))?;
+            file.write_all(&mark)?;
+            if frames > 0 { write_count(&mut file, frames) } else { Ok(()) }
+        });
+        cut.map_err(OutputError::file("go on with", &path))?;
+        let size = (frames > 0).then_some((width, height));
+        // The last picture is not known any more: the next frame is stored whole.
+        Ok(Self { path, file, fps: fps.max(1), size, frames, sequence, end, shown: Vec::new() })
+    }
+
+    /// Forces the frames to the disk, where they outlast a loss of power.
+    ///
+    /// # Errors
+    /// The disk refuses.
+    pub fn sync(&self) -> Result<(), OutputError> {
+        self.file.sync_data().map_err(OutputError::file("write", &self.path))
+    }
+
     /// Appends a frame.
     ///
     /// # Errors
@@ -58,8 +102,11 @@ impl Film {
             let path = self.path.clone();
             return Err(OutputError::FrameSize { path, width, height, found_width, found_height });
         }
-        let patch =
-            if self.frames == 0 { Patch::whole(width, height) } else { Patch::changed(&self.shown, image) };
+        let patch = if self.shown.is_empty() {
+            Patch::whole(width, height)
+        } else {
+            Patch::changed(&self.shown, image)
+        };
         let still = encode(patch.width, patch.height, &patch.cut(image))
             .map_err(|error| OutputError::Encode { path: self.path.clone(), reason: error.to_string() })?;
         self.append(&patch, &still).map_err(OutputError::file("write", &self.path))?;
@@ -104,13 +151,18 @@ impl Film {
         self.file.seek(SeekFrom::Start(self.end))?;
         self.file.write_all(&bytes)?;
         let frames = self.frames + 1;
-        let mut count = Vec::new();
-        chunk(&mut count, b"acTL", &[&frames.to_be_bytes(), &0u32.to_be_bytes()]);
-        self.file.seek(SeekFrom::Start(COUNT_AT))?;
-        self.file.write_all(&count)?;
+        write_count(&mut self.file, frames)?;
         (self.end, self.frames, self.sequence) = (next_end, frames, sequence);
         Ok(())
     }
+}
+
+/// Says near the start of the file how many frames there are.
+fn write_count(file: &mut File, frames: u32) -> io::Result<()> {
+    let mut count = Vec::new();
+    chunk(&mut count, b"acTL", &[&frames.to_be_bytes(), &0u32.to_be_bytes()]);
+    file.seek(SeekFrom::Start(COUNT_AT))?;
+    file.write_all(&count)
 }
 
 /// Appends length, kind, data and check sum.

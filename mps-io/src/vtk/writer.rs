@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use mps_kernel::Real;
+use mps_kernel::{Real, Transfer};
 
 use super::appended::Appended;
 use super::cloud::{PointCloud, Values};
@@ -78,7 +78,7 @@ impl FieldWriter {
         time: f64,
         cloud: &PointCloud<'_, T, D>,
     ) -> Result<PathBuf, OutputError> {
-        let file = format!("{}_{:05}.vtu", self.name, self.frames.len());
+        let file = self.file_name(self.frames.len());
         let path = self.dir.join(&file);
         check(&path, cloud)?;
         let xml = self.describe(time, cloud).map_err(OutputError::file("prepare", &path))?;
@@ -92,6 +92,17 @@ impl FieldWriter {
         self.frames.push((time, file));
         self.write_collection()?;
         Ok(path)
+    }
+
+    /// Saves the times of the frames, or goes back to those there were: frames written later are written over.
+    pub fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        let mut times: Vec<f64> = self.frames.iter().map(|(time, _)| *time).collect();
+        transfer.list("times", &mut times);
+        self.frames = times.into_iter().enumerate().map(|(k, time)| (time, self.file_name(k))).collect();
+    }
+
+    fn file_name(&self, frame: usize) -> String {
+        format!("{}_{frame:05}.vtu", self.name)
     }
 
     /// Number of frames written so far.

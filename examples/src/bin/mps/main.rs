@@ -1,8 +1,8 @@
 //! Runs scenes that are written down in files.
 
 use clap::{Args, Parser, Subcommand};
-use mps_examples::scene::{Diagnosis, Layout, diagnose, plan, run};
-use mps_examples::{Common, Failure, Refused, exit_code};
+use mps_examples::scene::{Diagnosis, Layout, diagnose, plan, resume, run};
+use mps_examples::{Common, Failure, Precision, Refused, exit_code};
 use mps_io::scene_file::{self, SceneError, SceneFile};
 use mps_neighbors::Parallel;
 use std::path::{Path, PathBuf};
@@ -22,7 +22,9 @@ struct Options {
 #[derive(Subcommand, Clone, Debug)]
 enum Command {
     /// Run a scene and write its results
-    Run(Run),
+    Run(Begin),
+    /// Go on with a run from its last checkpoint, in its directory
+    Resume(Resume),
     /// Say what is wrong with a scene, without running it
     Check {
         /// The scene file
@@ -39,6 +41,65 @@ enum Command {
 }
 
 #[derive(Args, Clone, Debug)]
+struct Begin {
+    #[command(flatten)]
+    run: Run,
+    #[command(flatten)]
+    keep: Keep,
+}
+
+#[derive(Args, Clone, Debug)]
+struct Keep {
+    /// Wall time between two checkpoints (s); 0 for none but at a signal and at the end
+    #[arg(long, value_name = "S", default_value_t = 300.0, allow_negative_numbers = true)]
+    checkpoint: f64,
+}
+
+impl Keep {
+    fn interval(&self) -> Result<f64, Refused> {
+        let good = (0.0..1e9).contains(&self.checkpoint);
+        Refused::unless(
+            good,
+            "--checkpoint",
+            self.checkpoint,
+            "give seconds, or 0 for no checkpoints at an interval",
+        )?;
+        Ok(self.checkpoint)
+    }
+}
+
+#[derive(Args, Clone, Debug)]
+struct Resume {
+    /// The directory of the run
+    directory: PathBuf,
+    /// Simulated time at which it ends (s), instead of that of the scene
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    end_time: Option<f64>,
+    /// Threads; all cores if left out
+    #[arg(long, value_name = "N")]
+    threads: Option<usize>,
+    /// No progress, no closing words
+    #[arg(long)]
+    quiet: bool,
+    #[command(flatten)]
+    keep: Keep,
+}
+
+impl Resume {
+    fn go_on(&self) -> Result<(), Failure> {
+        let common = Common {
+            threads: self.threads,
+            precision: Precision::F64,
+            out: None,
+            no_fields: false,
+            quiet: self.quiet,
+        };
+        common.check()?;
+        resume(&self.directory, self.end_time, &common, self.keep.interval()?)
+    }
+}
+
+#[derive(Args, Clone, Debug)]
 struct Run {
     /// The scene file
     scene: PathBuf,
@@ -51,10 +112,11 @@ struct Run {
 
 fn main() -> ExitCode {
     let done = match Options::parse().command {
-        Command::Run(options) => Loaded::of(&options).and_then(|loaded| {
+        Command::Run(Begin { run: options, keep }) => Loaded::of(&options).and_then(|loaded| {
             let Loaded { scene, layout, .. } = loaded.without_refusals()?;
-            run(&scene, &layout, name(&options.scene), &options.common)
+            run(&scene, &layout, name(&options.scene), &options.common, keep.interval()?)
         }),
+        Command::Resume(options) => options.go_on(),
         Command::Plan(options) => Loaded::of(&options).and_then(|loaded| {
             let loaded = loaded.without_refusals()?;
             say(&plan(&loaded.scene, &loaded.layout, &loaded.diagnosis, &options.common)?);

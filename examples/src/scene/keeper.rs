@@ -1,0 +1,99 @@
+//! When the state of a run is kept, and where.
+
+use crate::Failure;
+use mps_io::checkpoint::{Checkpoint, Identity, Rotation};
+use mps_kernel::State;
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+use thiserror::Error;
+
+/// Writes the checkpoints of a run.
+pub(super) struct Keeper {
+    dir: PathBuf,
+    rotation: Rotation,
+    identity: Identity,
+    settings: BTreeMap<String, String>,
+    /// Wall time between two checkpoints; `None` for none at an interval.
+    interval: Option<Duration>,
+    written: Instant,
+    /// Time of the last one \[s\].
+    kept: Option<f64>,
+    stop: Arc<AtomicBool>,
+}
+
+/// A run that has not come to its end.
+#[derive(Debug, Error)]
+pub(super) enum Stopped {
+    /// By a signal.
+    #[error("stopped by a signal. Its state at t = {time:e} s is in {}: go on with `mps resume {}`", path.display(), dir.display())]
+    Interrupted { time: f64, path: PathBuf, dir: PathBuf },
+    /// By a failure, with a checkpoint to go on from.
+    #[error(
+        "{source}\nThe last good checkpoint, of t = {time:e} s, is {}: `mps resume {}` goes on from there (what was wrong with the disk may be mended, \
+         a failure of the simulation comes again)",
+        path.display(),
+        dir.display()
+    )]
+    Failed { source: Failure, time: f64, path: PathBuf, dir: PathBuf },
+}
+
+impl Keeper {
+    /// For a run in `dir`, every `interval` seconds of wall time, zero for never, and listens to signals from now on.
+    pub(super) fn new(
+        dir: &Path,
+        rotation: Rotation,
+        identity: Identity,
+        settings: BTreeMap<String, String>,
+        interval: f64,
+    ) -> Result<Self, Failure> {
+        let stop = Arc::new(AtomicBool::new(false));
+        for signal in [SIGINT, SIGTERM] {
+            // In this order: the first signal sets the mark, the second, which finds it set, ends the program.
+            flag::register_conditional_shutdown(signal, 1, Arc::clone(&stop))?;
+            flag::register(signal, Arc::clone(&stop))?;
+        }
+        let interval = (interval > 0.0).then(|| Duration::try_from_secs_f64(interval)).transpose()?;
+        let (dir, written) = (dir.to_path_buf(), Instant::now());
+        Ok(Self { dir, rotation, identity, settings, interval, written, kept: None, stop })
+    }
+
+    /// Goes on from a checkpoint of this time \[s\], which counts as kept.
+    pub(super) fn went_on_from(&mut self, time: f64) {
+        self.kept = Some(time);
+    }
+
+    /// Whether a checkpoint is due by the clock.
+    pub(super) fn is_due(&self) -> bool {
+        self.interval.is_some_and(|interval| self.written.elapsed() >= interval)
+    }
+
+    /// Whether a signal has asked for the end.
+    pub(super) fn is_stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+
+    pub(super) fn write(&mut self, state: State, time: f64) -> Result<(), Failure> {
+        let (identity, settings) = (self.identity.clone(), self.settings.clone());
+        self.rotation.write(&Checkpoint { identity, settings, state })?;
+        (self.kept, self.written) = (Some(time), Instant::now());
+        Ok(())
+    }
+
+    /// What a run says that was stopped by a signal and has been kept.
+    pub(super) fn interrupted(&self) -> Stopped {
+        let (path, dir) = (self.rotation.last(), self.dir.clone());
+        Stopped::Interrupted { time: self.kept.unwrap_or(0.0), path, dir }
+    }
+
+    /// Adds to a failure from where one can go on.
+    pub(super) fn failed(&self, source: Failure) -> Failure {
+        let Some(time) = self.kept else { return source };
+        let path = if self.rotation.last().exists() { self.rotation.last() } else { self.rotation.before() };
+        Stopped::Failed { source, time, path, dir: self.dir.clone() }.into()
+    }
+}

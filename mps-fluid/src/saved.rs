@@ -1,0 +1,110 @@
+//! The state of a fluid, out of it and into it again.
+
+use crate::budget::Books;
+use crate::exchange::Exchange;
+use crate::fluid::Rates;
+use crate::open::OpenBoundaries;
+use crate::terms::Viscosity;
+use crate::{Boundary, EnergyBudget, Fluid};
+use mps_kernel::{Kernel, Real, Transfer};
+use mps_neighbors::{Domain, Parallel};
+
+impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
+    /// Saves the state, or restores it into a fluid that was built in the same way: with the same parameters, walls and openings, and
+    /// books if it had some. It goes on with the same bits, for any number of threads.
+    ///
+    /// Refused between [`begin_step`](Self::begin_step) and [`finish_step`](Self::finish_step), and after a step that failed: the particles are
+    /// then neither before nor after it. Restored are only values; parameters, and the speeds of inlets, are those of the new fluid.
+    pub fn transfer(&mut self, parallel: &Parallel, transfer: &mut Transfer<'_>) {
+        let Self {
+            config: _,
+            kernel: _,
+            viscosity: _,
+            domain,
+            reference: _,
+            eos: _,
+            particles,
+            boundary,
+            search,
+            rates,
+            exchange,
+            open,
+            books,
+            time,
+            steps,
+            last_dt,
+            halfway,
+        } = self;
+        if *halfway && !transfer.is_restoring() {
+            transfer.refuse("a step has begun and is not finished: save the state between two steps");
+        }
+        transfer.within("particles", |transfer| transfer.particles(particles));
+        transfer.within("boundary", |transfer| boundary.transfer(transfer));
+        transfer.within("rows", |transfer| search.transfer(parallel, domain, boundary, transfer));
+        transfer.same("open boundaries", usize::from(open.is_some()));
+        if let Some(open) = open {
+            transfer.within("open", |transfer| open.transfer(transfer));
+        }
+        transfer.same("books", usize::from(books.is_some()));
+        if let Some(books) = books {
+            transfer.within("books", |transfer| books.transfer(transfer));
+        }
+        transfer.value("time", time);
+        transfer.value("steps", steps);
+        transfer.value("last step", last_dt);
+        if transfer.is_restoring() {
+            // Found anew in every step.
+            *rates = Rates::default();
+            rates.resize(particles.position.len());
+            *exchange = Exchange::default();
+            *halfway = false;
+        }
+    }
+}
+
+impl<T: Real, const D: usize> Boundary<T, D> {
+    fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        let Self { position, velocity, acceleration, volume, shear: _, force, reactive } = self;
+        transfer.array("position", position);
+        transfer.array("velocity", velocity);
+        transfer.array("acceleration", acceleration);
+        transfer.array("volume", volume);
+        transfer.array("force", force);
+        transfer.same("first reactive point", reactive.start);
+        transfer.same("end of the reactive points", reactive.end);
+    }
+}
+
+impl<T: Real, const D: usize> OpenBoundaries<T, D> {
+    fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        let Self { inlets, outlets, beyond, speed, inflow, next_id, passed } = self;
+        transfer.same("inlets", inlets.len());
+        transfer.same("outlets", outlets.len());
+        transfer.array("density beyond", beyond);
+        let mut known: Vec<bool> = speed.iter().map(Option::is_some).collect();
+        let mut speeds: Vec<T> = speed.iter().map(|speed| speed.unwrap_or(T::zero())).collect();
+        transfer.flags("speed known", &mut known);
+        transfer.array("speed", &mut speeds);
+        *speed = known.into_iter().zip(speeds).map(|(known, speed)| known.then_some(speed)).collect();
+        transfer.value("inflow", inflow);
+        transfer.value("next id", next_id);
+        transfer.array("passed", passed);
+    }
+}
+
+impl<T: Real, const D: usize> Books<T, D> {
+    fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        // Of the present step: accelerations from outside that have not acted yet, and working space.
+        let Self { budget, field, power: _ } = self;
+        let EnergyBudget { viscosity, diffusion, collisions, shifting, relaxation, boundary, field: outside } =
+            budget;
+        transfer.value("viscosity", viscosity);
+        transfer.value("diffusion", diffusion);
+        transfer.value("collisions", collisions);
+        transfer.value("shifting", shifting);
+        transfer.value("relaxation", relaxation);
+        transfer.value("boundary", boundary);
+        transfer.value("field", outside);
+        transfer.list("field of the step", field);
+    }
+}
