@@ -96,7 +96,7 @@ fn main() {
         for numerics in [
             Numerics { radius: 4.0, ..channel },
             Numerics { relaxation: 0.0, ..channel },
-            Numerics { relaxation: 0.05, ..channel },
+            Numerics { relaxation: 0.03, ..channel },
             Numerics { shifting: 10.0, ..channel },
             Numerics { level: 0.0, ..channel },
             Numerics { level: 5.0, ..channel },

@@ -94,8 +94,7 @@ pub struct FluidConfig<T: Real, const D: usize> {
     pub shifting: Option<Shifting<T>>,
     /// How fast the number density of the equation of state returns to the [packing](crate::Fluid::packing) of the particles: by this
     /// share of their difference in the time sound takes for a spacing. Default zero: not at all. The density follows the velocities,
-    /// the packing also the shifting and the errors of both; without this they drift apart in a flow that stirs for long, and particles
-    /// gather where the density does not know of them. 0.01 is slow beside sound and fast beside the flow; 0.05 feeds noise until the fluid bursts (`examples/effective_viscosity.rs`). For fluid that fills
+    /// the packing also the shifting and the errors of both, so that the two may drift apart in a flow that stirs for long. 0.01 is slow beside sound and fast beside the flow; more feeds noise (`examples/effective_viscosity.rs`); with 0.05 vortices burst. For fluid that fills
     /// its domain: at a free surface the packing is low and the density is not, so it needs [`Tension::Keep`].
     pub density_relaxation: T,
     /// Neighbour rows reach this much beyond `re`, over `l0`; they are rebuilt when a particle has

@@ -1,7 +1,7 @@
 //! Walls to which the fluid sticks.
 //!
 //! A wall shows a particle the velocity that a straight profile from the particle to the surface would have at the place of the point: at the
-//! distance `y_i` from the surface, with the point `d_a` behind it, the difference is `(u_a - u_i) (1 + d_a/y_i)` (Morris et al. 1997). Linear profiles
+//! distance `y_i` from the surface, with the point `d_a` behind it, the difference is `(u_a - u_i) (1 + d_a/y_i)` (Morris, Fox and Zhu 1997, J. Comput. Phys. 136, 214-226; where the wall is, is found differently here). Linear profiles
 //! are exact for each particle, so that no slip is of second order. The distance between particle and point along the normal is `y_i + d_a`, hence the
 //! factor is `q_i . r_ia` with one vector `q_i = m_i/y_i` a particle: `m_i`, towards the wall, is the direction of `sum_a V_a e_ia W_ia/r`,
 //! and the surface lies half the spacing of the nearest point before it.

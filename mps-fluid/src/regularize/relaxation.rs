@@ -5,7 +5,7 @@
 //!
 //! `Dn/Dt = ... + chi (c/l0) (N - n)`
 //!
-//! with a small `chi`: sound passes before anything happens, and where particles keep gathering the pressure rises until they leave.
+//! with a small `chi` (not in the paper; `FluidConfig::density_relaxation`): sound passes before anything happens, and where particles keep gathering the pressure rises until they leave.
 
 use crate::surface::SPRAY_LIMIT;
 use crate::terms::Viscosity;

@@ -1,10 +1,11 @@
 //! Laminar viscosity that leans on near neighbours.
 
 use super::Viscosity;
-use mps_kernel::small::{accumulate, components, difference};
-use mps_kernel::{Number, Pair, Real, ReferenceDensity, Vector, by_axis};
+use mps_kernel::operators::CompactLaplacian;
+use mps_kernel::small::accumulate;
+use mps_kernel::{Number, Pair, Real, ReferenceDensity, Vector};
 
-/// `(mu/rho0) (2 D/n0) (u_j - u_i) W_ij/r^2`: the divergence of the gradient (Morris et al. 1997, eq. 22), in place of the paper's eq. 16.
+/// `(mu/rho0) (2 D/n0) (u_j - u_i) W_ij/r^2` ([`CompactLaplacian`]), in place of the paper's eq. 16.
 ///
 /// The paper's weight `W_ij` of the Laplacian counts far neighbours as much as near ones: shear reaches over the whole effective radius, and the
 /// vorticity that a wall makes is spread over it. With `W_ij/r^2` most of it stays between next neighbours; boundary layers of one or two
@@ -13,13 +14,14 @@ use mps_kernel::{Number, Pair, Real, ReferenceDensity, Vector, by_axis};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CompactViscosity<T> {
     kinematic: T,
-    factor: T,
+    laplacian: CompactLaplacian<T>,
 }
 
 impl<T: Real> CompactViscosity<T> {
     /// For the kinematic viscosity `mu/rho0` \[m^2/s\] on the given lattice.
     pub fn new<const D: usize>(kinematic: T, reference: &ReferenceDensity<T>) -> Self {
-        Self { kinematic, factor: kinematic * T::of(2.0) * reference.gradient_factor::<D>() }
+        let factor = kinematic * T::of(2.0) * reference.gradient_factor::<D>();
+        Self { kinematic, laplacian: CompactLaplacian { factor } }
     }
 }
 
@@ -32,10 +34,7 @@ impl<T: Real, const D: usize> Viscosity<T, D> for CompactViscosity<T> {
         ui: &Vector<T, D>,
         uj: &Vector<N, D>,
     ) {
-        let strength = pair.over_r2 * self.factor;
-        let difference = difference(uj, ui);
-        let difference = components(&difference);
-        accumulate(sum, &by_axis!(axis => difference[axis] * strength));
+        accumulate(sum, &self.laplacian.pair(ui, uj, pair));
     }
 
     fn kinematic(&self) -> T {

@@ -1,7 +1,7 @@
-//! The Laplacian of the original method.
+//! The Laplacian of the original method, and one that leans on near neighbours.
 //!
 //! Pinned by `tests/properties/polynomials.rs`: on a full lattice exact for cubic fields, with every
-//! weight, because `lambda0` is summed over the same lattice.
+//! weight, because `lambda0` and `n0` are summed over the same lattice.
 
 use crate::small::{difference, scale};
 use crate::{Number, Pair, PairOperator, Real, Vector};
@@ -42,5 +42,46 @@ impl<T: Real, const D: usize> PairOperator<T, D, Vector<T, D>> for Laplacian<T> 
 
     fn finish(&self, sum: Self::Output) -> Self::Output {
         sum * self.factor
+    }
+}
+
+/// `(2 D/n0) sum_j (f_j - f_i) W_ij/r^2` of a vector field: the divergence of the gradient, in place of the paper's eq. 16. The viscous term of
+/// Morris, Fox and Zhu (1997, J. Comput. Phys. 136, 214-226), written with the weight of this method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CompactLaplacian<T> {
+    /// `2 D/n0` \[-\], or what it is multiplied with.
+    pub factor: T,
+}
+
+impl<T: Real> CompactLaplacian<T> {
+    /// What neighbour `j` adds.
+    #[inline(always)]
+    pub fn pair<N, const D: usize, J>(
+        &self,
+        fi: &Vector<T, D>,
+        fj: &Vector<N, D>,
+        pair: &Pair<N, D, J>,
+    ) -> Vector<N, D>
+    where
+        N: Number<T>,
+    {
+        scale(&difference(fj, fi), pair.over_r2 * self.factor)
+    }
+}
+
+impl<T: Real, const D: usize> PairOperator<T, D, Vector<T, D>> for CompactLaplacian<T> {
+    type Output = Vector<T, D>;
+
+    fn zero(&self) -> Self::Output {
+        Vector::zeros()
+    }
+
+    #[inline(always)]
+    fn add(&self, sum: &mut Self::Output, fi: &Vector<T, D>, fj: &Vector<T, D>, pair: &Pair<T, D>) {
+        *sum += self.pair(fi, fj, pair);
+    }
+
+    fn finish(&self, sum: Self::Output) -> Self::Output {
+        sum
     }
 }

@@ -7,6 +7,7 @@
 //! | divergence, difference form | [`Divergence`] | eq. 15 | `polynomials.rs` |
 //! | divergence with the ratio of n | [`ConservativeDivergence`] | eq. 23, misprint corrected | `conservation.rs`, `polynomials.rs` |
 //! | Laplacian | [`Laplacian`] | eqs. 16, 25 | `polynomials.rs` |
+//! | Laplacian of near neighbours | [`CompactLaplacian`] | Morris et al. 1997 | `polynomials.rs` |
 //! | density-diffusion filter | [`DiffusionFilter`] | eq. 20 | `diffusion.rs`, `von_neumann.rs` |
 //! | density diffusion with the hydrostatic part removed | [`HydrostaticDiffusion`] | Amaro et al. 2022, eq. 20 | `diffusion.rs` |
 //! | corrected matrix and its inverse | [`MomentMatrix`], [`invert_moment`] | eq. 22 | `gradient.rs`, `degenerate.rs` |
@@ -25,6 +26,6 @@ mod number_density;
 pub use diffusion::{DiffusionFilter, HydrostaticDiffusion};
 pub use divergence::{ConservativeDivergence, Divergence};
 pub use gradient::{ConservativeGradient, Gradient};
-pub use laplacian::Laplacian;
+pub use laplacian::{CompactLaplacian, Laplacian};
 pub use moment::{Corrected, MomentMatrix, invert_moment};
 pub use number_density::NumberDensity;

@@ -5,13 +5,13 @@
 //! `sum_j r (x) r W = (n0 lambda0 / D) I`. So
 //!
 //! - gradient and divergence (eqs. 14, 15) are exact for quadratic fields, and wrong for cubic ones;
-//! - the Laplacian (eq. 16) is exact for cubic fields, with `lambda0` as summed over the same lattice,
-//!   and wrong for quartic ones.
+//! - the Laplacians (eq. 16 with `lambda0` as summed over the same lattice, and that of near neighbours) are exact for cubic
+//!   fields, and wrong for quartic ones.
 //!
 //! Neither depends on the weight: the rational one is no worse than the smooth ones here.
 
 use crate::common::{Cloud, Noise, Scene, Weight, close, epsilon, scene};
-use mps_kernel::operators::{ConservativeDivergence, Divergence, Gradient, Laplacian};
+use mps_kernel::operators::{CompactLaplacian, ConservativeDivergence, Divergence, Gradient, Laplacian};
 use mps_kernel::{Real, Tensor, Vector, apply, small};
 use proptest::prelude::*;
 
@@ -90,10 +90,15 @@ fn second_order<T: Real, const D: usize>(scene: &Scene) -> Result<(), TestCaseEr
     let components: [Polynomial<T, D>; D] = std::array::from_fn(|_| Polynomial::random(&mut noise));
     let field: Vec<Vector<T, D>> = at.iter().map(|x| Vector::from_fn(|k, _| components[k].full(x))).collect();
     let operator = Laplacian { factor: cloud.reference().laplacian_factor::<D>() };
-    let found = apply(&operator, &cloud, cloud.middle(), &field) * (cloud.spacing * cloud.spacing);
+    let compact = CompactLaplacian { factor: cloud.factor() * T::of(2.0) };
+    let square = cloud.spacing * cloud.spacing;
+    let found = apply(&operator, &cloud, cloud.middle(), &field) * square;
+    let near = apply(&compact, &cloud, cloud.middle(), &field) * square;
     for k in 0..D {
         let expected = components[k].curvature.trace().to_double();
-        close("Laplacian", found[k].to_double(), expected, 10.0 * ROUNDINGS * epsilon::<T>())?;
+        let tolerance = 10.0 * ROUNDINGS * epsilon::<T>();
+        close("Laplacian", found[k].to_double(), expected, tolerance)?;
+        close("Laplacian of near neighbours", near[k].to_double(), expected, tolerance)?;
     }
     Ok(())
 }
@@ -128,7 +133,7 @@ proptest! {
     }
 
     #[test]
-    fn laplacian_is_exact_for_cubic_fields(scene in scene()) {
+    fn laplacians_are_exact_for_cubic_fields(scene in scene()) {
         second_order::<f64, 2>(&scene)?;
         second_order::<f64, 3>(&scene)?;
         second_order::<f32, 2>(&scene)?;
