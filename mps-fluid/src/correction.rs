@@ -22,7 +22,7 @@ use crate::terms::Viscosity;
 use crate::{Fluid, PressureForm};
 use fearless_simd::Simd;
 use mps_kernel::operators::{Corrected, MomentMatrix, invert_moment};
-use mps_kernel::small::{accumulate_tensor, columns, outer, scale, tensor};
+use mps_kernel::small::{accumulate_symmetric, columns, scale, symmetric, tensor};
 use mps_kernel::{Kernel, Lanes, Neighborhood, Real, Tensor, Vector, by_axes};
 use mps_neighbors::{Domain, Parallel, RowView, Sweep};
 
@@ -31,13 +31,15 @@ use mps_neighbors::{Domain, Parallel, RowView, Sweep};
 const DEGENERATE: f64 = 0.3;
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
-    /// `C_i` of all particles for their present positions and densities; none for the plain form.
+    /// `C_i` and `S_i` of all particles for their present positions, densities and pressures; none for the plain form.
     pub(crate) fn sweep_correction(&mut self, parallel: &Parallel) {
         if self.config.pressure_form == PressureForm::Plain {
             return;
         }
         let mut correction = core::mem::take(&mut self.rates.pressure_correction);
+        let mut stress = core::mem::take(&mut self.rates.stress);
         correction.resize(self.particles.position.len(), Tensor::identity());
+        stress.resize(self.particles.position.len(), Tensor::zeros());
         let sweep = Correction {
             neighbors: self.view(&self.search.fluid),
             walls: self.boundary_view(),
@@ -45,8 +47,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             state: &self.rates.state,
             factor: self.reference.gradient_factor::<D>(),
         };
-        parallel.sweep(correction.as_mut_slice(), &sweep);
+        parallel.sweep((correction.as_mut_slice(), stress.as_mut_slice()), &sweep);
         self.rates.pressure_correction = correction;
+        self.rates.stress = stress;
     }
 
     /// `C_i` times a vector; the vector itself in the plain form.
@@ -70,27 +73,36 @@ struct Correction<'a, T: Real, const D: usize, K, P> {
     factor: T,
 }
 
-impl<'b, T: Real, const D: usize, K, P> Sweep<&'b mut [Tensor<T, D>]> for Correction<'_, T, D, K, P>
+impl<'b, T: Real, const D: usize, K, P> Sweep<(&'b mut [Tensor<T, D>], &'b mut [Tensor<T, D>])>
+    for Correction<'_, T, D, K, P>
 where
     K: Kernel<T>,
     P: Domain<T, D>,
 {
     #[inline(always)]
-    fn visit<S: Simd>(&self, simd: S, i: usize, correction: &'b mut Tensor<T, D>) {
+    fn visit<S: Simd>(
+        &self,
+        simd: S,
+        i: usize,
+        (correction, stress): (&'b mut Tensor<T, D>, &'b mut Tensor<T, D>),
+    ) {
         let zero = T::Lanes::splat(simd, T::zero());
         let mut moment = tensor([[zero; D]; D]);
-        let inverse_density = self.state[i].inverse_density;
+        let State { density, share, .. } = self.state[i];
+        let inverse_density = T::one() / density;
         for pair in self.neighbors.packs(simd, i) {
             let other = Gather { simd, j: pair.j.as_ref(), from: self.state };
             let ratio = other.scalar(|state| state.density) * inverse_density;
             let weighted = scale(&pair.r_ij, pair.over_r2 * ratio);
-            accumulate_tensor(&mut moment, &outer(&weighted, &pair.r_ij));
+            accumulate_symmetric(&mut moment, &weighted, &pair.r_ij);
         }
+        let moment = symmetric(&moment);
         let mut moment: Tensor<T, D> = by_axes!((row, column) => columns(&moment)[column][row].sum());
         if !self.volume.is_empty() {
             self.walls.for_each(i, |pair| moment += MomentMatrix::<T>::pair(pair) * self.volume[pair.j]);
         }
         let corrected: Corrected<T, D> = invert_moment(&(moment * self.factor), T::of(DEGENERATE));
         *correction = corrected.matrix();
+        *stress = *correction * share;
     }
 }

@@ -64,6 +64,8 @@ pub(crate) struct Rates<T: Real, const D: usize> {
     pub(crate) density_rate: Vec<T>,
     /// `C_i` of the corrected pressure; empty in the plain form.
     pub(crate) pressure_correction: Vec<Tensor<T, D>>,
+    /// `S_i = (p_i n0/n_i) C_i` \[Pa\]; empty in the plain form.
+    pub(crate) stress: Vec<Tensor<T, D>>,
     /// Where the wall is to which the fluid sticks: see [`NoSlip`](crate::no_slip::NoSlip).
     pub(crate) toward_wall: Vec<Vector<T, D>>,
     /// Velocity or position change of the regularisation, in its units.
@@ -74,11 +76,10 @@ pub(crate) struct Rates<T: Real, const D: usize> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct State<T: Real, const D: usize> {
     pub(crate) velocity: Vector<T, D>,
-    pub(crate) pressure: T,
     /// `n/n0`.
     pub(crate) density: T,
-    /// `n0/n`.
-    pub(crate) inverse_density: T,
+    /// `p n0/n` \[Pa\].
+    pub(crate) share: T,
 }
 
 /// As [`State`], for the second sweep: the velocity is the new one.
@@ -93,15 +94,7 @@ pub(crate) struct Flow<T: Real, const D: usize> {
 
 impl<T: Real, const D: usize> Rates<T, D> {
     pub(crate) fn resize(&mut self, len: usize) {
-        self.state.resize(
-            len,
-            State {
-                velocity: Vector::zeros(),
-                pressure: T::zero(),
-                density: T::one(),
-                inverse_density: T::one(),
-            },
-        );
+        self.state.resize(len, State { velocity: Vector::zeros(), density: T::one(), share: T::zero() });
         self.flow
             .resize(len, Flow { velocity: Vector::zeros(), gradient: Vector::zeros(), density: T::one() });
         self.acceleration.resize(len, Vector::zeros());
@@ -268,12 +261,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             if clip {
                 *p = p.max(T::zero());
             }
-            *state = State {
-                velocity: velocity[i],
-                pressure: *p,
-                density: density[i],
-                inverse_density: T::one() / density[i],
-            };
+            *state = State { velocity: velocity[i], density: density[i], share: *p / density[i] };
         });
     }
 

@@ -6,9 +6,9 @@ use crate::no_slip::NoSlip;
 use crate::terms::{Viscosity, WallPair};
 use crate::{Boundary, Fluid};
 use fearless_simd::Simd;
-use mps_kernel::operators::{ConservativeGradient, Corrected, Gradient, MomentMatrix, invert_moment};
+use mps_kernel::operators::{ConservativeGradient, Corrected, Gradient, invert_moment};
 use mps_kernel::small::{
-    accumulate, accumulate_tensor, columns, components, scale, tensor, transform, vector,
+    accumulate, accumulate_symmetric, columns, components, scale, symmetric, tensor, transform, vector,
 };
 use mps_kernel::{Kernel, Lanes, Neighborhood, Real, Tensor, Vector};
 use mps_kernel::{by_axes, by_axis};
@@ -41,6 +41,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             walls: self.boundary_view(),
             state: &self.rates.state,
             correction: &self.rates.pressure_correction,
+            stress: &self.rates.stress,
+            pressure: &self.particles.pressure,
             boundary: &self.boundary,
             no_slip: self.no_slip(),
             wall: self.wall_pair(),
@@ -74,7 +76,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let wall = self.wall_pair();
         let (boundary, no_slip) = (&self.boundary, self.no_slip());
         let fluid = mps_neighbors::RowView { points: &boundary.position, ..self.view(&self.search.reaction) };
-        let state = &self.rates.state;
+        let (state, pressures) = (&self.rates.state, &self.particles.pressure);
         let mass = self.config.particle_mass();
         let pressure_factor = self.reference.gradient_factor::<D>() / self.config.density;
         let mut sum = Vector::<T, D>::zeros();
@@ -82,7 +84,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             let own = &state[pair.j];
             // The same pair, seen from the fluid particle.
             let seen = mps_kernel::Pair { j: a, r_ij: -pair.r_ij, ..*pair };
-            let pressure = self.corrected(pair.j, wall.pressure_sum(own, boundary, &seen));
+            let pressure = self.corrected(pair.j, wall.pressure_sum(pressures[pair.j], own, boundary, &seen));
             let shear = self.viscosity.pair(&seen, &own.velocity, &boundary.velocity[a])
                 * no_slip.share(pair.j, &seen);
             sum += pressure * pressure_factor - shear;
@@ -106,11 +108,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             Vector::<T, D>::zeros(),
             &|i| {
                 let mut sum = Vector::<T, D>::zeros();
-                let own = &state[i];
+                let (own, pi) = (&state[i], self.particles.pressure[i]);
                 walls.for_each(i, |pair| {
                     let a = pair.j;
                     if reactive.contains(&a) {
-                        let pressure = self.corrected(i, wall.pressure_sum(own, &self.boundary, pair));
+                        let pressure = self.corrected(i, wall.pressure_sum(pi, own, &self.boundary, pair));
                         let shear = self.viscosity.pair(pair, &own.velocity, &self.boundary.velocity[a]);
                         sum += pressure * pressure_factor;
                         sum += shear * no_slip.share(i, pair);
@@ -131,6 +133,9 @@ struct Momentum<'a, T: Real, const D: usize, K, V, P, const DIFFUSION: bool, con
     state: &'a [State<T, D>],
     /// `C_i` of the corrected form, empty for the plain one.
     correction: &'a [Tensor<T, D>],
+    /// `S_i`, likewise.
+    stress: &'a [Tensor<T, D>],
+    pressure: &'a [T],
     boundary: &'a Boundary<T, D>,
     no_slip: NoSlip<'a, T, D>,
     wall: WallPair<T, D>,
@@ -153,7 +158,8 @@ where
     fn add_walls(&self, i: usize, own: &State<T, D>, total: &mut Vector<T, D>) {
         self.walls.for_each(i, |pair| {
             let a = pair.j;
-            let pressure = self.wall.pressure_sum(own, self.boundary, pair) * self.pressure_factor;
+            let pressure =
+                self.wall.pressure_sum(self.pressure[i], own, self.boundary, pair) * self.pressure_factor;
             *total += if CORRECTED { self.correction[i] * pressure } else { pressure };
             let share = self.no_slip.share(i, pair);
             if share > T::zero() {
@@ -182,45 +188,34 @@ where
         let own = state[i];
         let zero = T::Lanes::splat(simd, T::zero());
         let (mut total, mut slope) = (vector([zero; D]), vector([zero; D]));
-        // What the particle's own C_i multiplies, in the corrected form.
-        let mut stress = vector([zero; D]);
+        // The sum of the pressures; in the corrected form the part of it that the particle's own S_i multiplies, and the rest.
+        let (mut pressed, mut by_own) = (vector([zero; D]), vector([zero; D]));
         let mut moment = tensor([[zero; D]; D]);
         for pair in self.neighbors.packs(simd, i) {
             let other = Gather { simd, j: pair.j.as_ref(), from: state };
-            let (pressure, density, inverse_density) = (
-                other.scalar(|state| state.pressure),
-                other.scalar(|state| state.density),
-                other.scalar(|state| state.inverse_density),
-            );
+            let density = other.scalar(|state| state.density);
             let direction = pair.gradient_vector();
             if CORRECTED {
-                let factor = self.pressure_factor;
-                let there = other.of(self.correction).tensor();
-                let by_own = density * (own.inverse_density * own.pressure * factor);
-                let by_other = inverse_density * pressure * (own.density * factor);
-                accumulate(&mut stress, &scale(&direction, by_own));
-                accumulate(&mut total, &transform(&there, &scale(&direction, by_other)));
+                accumulate(&mut by_own, &scale(&direction, density));
+                accumulate(&mut pressed, &transform(&other.of(self.stress).tensor(), &direction));
             } else {
-                let pij = ConservativeGradient::pair_pressure(
-                    own.pressure,
-                    own.density,
-                    own.inverse_density,
-                    pressure,
-                    density,
-                    inverse_density,
-                );
-                accumulate(&mut total, &scale(&direction, pij * self.pressure_factor));
+                let share = other.scalar(|state| state.share);
+                let pij = ConservativeGradient::pair_pressure(own.share, own.density, share, density);
+                accumulate(&mut pressed, &scale(&direction, pij));
             }
             self.viscosity.add(&mut total, &pair, &own.velocity, &other.vector(|state| &state.velocity));
             if DIFFUSION {
                 accumulate(&mut slope, &Gradient::pair(own.density, density, &pair));
-                accumulate_tensor(&mut moment, &MomentMatrix::<T>::pair(&pair));
+                accumulate_symmetric(&mut moment, &direction, &pair.r_ij);
             }
         }
         let mut total: Vector<T, D> = by_axis!(axis => components(&total)[axis].sum());
+        let pressed: Vector<T, D> = by_axis!(axis => components(&pressed)[axis].sum());
         if CORRECTED {
-            let stress: Vector<T, D> = by_axis!(axis => components(&stress)[axis].sum());
-            total += self.correction[i] * stress;
+            let by_own: Vector<T, D> = by_axis!(axis => components(&by_own)[axis].sum());
+            total += (pressed * own.density + self.stress[i] * by_own) * self.pressure_factor;
+        } else {
+            total += pressed * self.pressure_factor;
         }
         if !self.boundary.is_empty() {
             self.add_walls(i, &own, &mut total);
@@ -228,6 +223,7 @@ where
         *acceleration = total + self.gravity;
         flow.density = own.density;
         if DIFFUSION {
+            let moment = symmetric(&moment);
             let moment: Tensor<T, D> = by_axes!((row, column) => columns(&moment)[column][row].sum());
             let slope: Vector<T, D> = by_axis!(axis => components(&slope)[axis].sum());
             let corrected: Corrected<T, D> = invert_moment(&(moment * self.factor), T::of(DEGENERATE));

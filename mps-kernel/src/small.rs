@@ -143,6 +143,28 @@ pub fn accumulate<N: Number<T>, T, const D: usize>(sum: &mut Vector<N, D>, a: &V
     }
 }
 
+/// `sum += a (x) b`, where it is known to be symmetric: on and above the diagonal only. [`symmetric`] completes the sum.
+#[inline(always)]
+pub fn accumulate_symmetric<N: Number<T>, T, const D: usize>(
+    sum: &mut Tensor<N, D>,
+    a: &Vector<N, D>,
+    b: &Vector<N, D>,
+) {
+    let (sum, a, b) = (&mut sum.data.0, components(a), components(b));
+    for column in 0..D {
+        for row in 0..column + 1 {
+            sum[column][row] += a[row] * b[column];
+        }
+    }
+}
+
+/// The symmetric tensor with what `upper` has on and above the diagonal.
+#[inline(always)]
+pub fn symmetric<N: Copy, const D: usize>(upper: &Tensor<N, D>) -> Tensor<N, D> {
+    let upper = columns(upper);
+    by_axes!((row, column) => upper[if row > column { row } else { column }][if row > column { column } else { row }])
+}
+
 /// `sum += a`, of tensors.
 #[inline(always)]
 pub fn accumulate_tensor<N: Number<T>, T, const D: usize>(sum: &mut Tensor<N, D>, a: &Tensor<N, D>) {

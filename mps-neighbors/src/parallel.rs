@@ -275,13 +275,17 @@ fn halve_leaves<F: Fields>(block: usize, fields: F, first: usize, leaf: &(impl F
     rayon::join(|| halve_leaves(block, left, first, leaf), || halve_leaves(block, right, first + cut, leaf));
 }
 
-/// The entries of one leaf, with AVX2 where there is one, else with what every processor of its kind has.
+/// The entries of one leaf, with AVX-512 or AVX2 where there is one, else with what every processor of its kind has.
 ///
-/// Wider registers gain next to nothing here (`docs/performance.md`), and every further set of
-/// instructions is one more copy of every sweep to compile.
+/// What AVX-512 brings is twice as many registers, of the same width: sums stay in them (`docs/performance.md`).
 fn run_at<F: Fields>(level: Level, fields: F, first: usize, sweep: &impl Sweep<F>) {
     #[cfg(target_arch = "x86_64")]
-    if let Some(avx2) = level.as_avx2() {
+    if let Some(avx512) = level.as_avx512() {
+        avx512.vectorize(
+            #[inline(always)]
+            || run(avx512, fields, first, sweep),
+        );
+    } else if let Some(avx2) = level.as_avx2() {
         avx2.vectorize(
             #[inline(always)]
             || run(avx2, fields, first, sweep),

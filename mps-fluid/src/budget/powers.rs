@@ -57,7 +57,7 @@ where
         let (shear, wall) = if walls { fluid.work_of_boundary(i, &mean) } else { (T::zero(), T::zero()) };
         let field = self.field.get(i).map_or(T::zero(), |a| a.dot(&mean));
         // The p/n of the stored energy, times n times the rate.
-        let diffusion = own.pressure * self.diffusivity * filtered.sum();
+        let diffusion = fluid.particles.pressure[i] * self.diffusivity * filtered.sum();
         *power = [drag.dot(&mean) + shear, diffusion, wall, field];
     }
 }
@@ -67,13 +67,13 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// goes from motion into compression.
     fn work_of_boundary(&self, i: usize, mean: &Vector<T, D>) -> (T, T) {
         let (wall, no_slip, boundary) = (self.wall_pair(), self.no_slip(), &self.boundary);
-        let own = &self.rates.state[i];
+        let (own, pressure) = (&self.rates.state[i], self.particles.pressure[i]);
         let factor = self.reference.gradient_factor::<D>();
         let (mut shear, mut force, mut inflow) = (T::zero(), Vector::zeros(), T::zero());
         self.boundary_view().for_each(i, |pair| {
             let a = pair.j;
-            force += wall.pressure_sum(own, boundary, pair);
-            let (_, na) = wall.state(own.pressure, own.density, &boundary.acceleration[a], &pair.r_ij);
+            force += wall.pressure_sum(pressure, own, boundary, pair);
+            let (_, na) = wall.state(pressure, own.density, &boundary.acceleration[a], &pair.r_ij);
             let vector = self.corrected(i, pair.gradient_vector());
             let opening = (boundary.velocity[a] - self.particles.velocity[i]).dot(&vector);
             inflow -= na * boundary.volume[a] * T::of(crate::continuity::MIRROR) * opening;
@@ -84,7 +84,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             }
         });
         let motion = -self.corrected(i, force).dot(mean);
-        let compression = own.pressure * own.inverse_density * inflow;
+        let compression = own.share * inflow;
         (shear, (motion + compression) * factor / self.config.density)
     }
 }

@@ -46,19 +46,18 @@ impl<T: Real, const D: usize> WallPair<T, D> {
 
     /// The pair's share of the sum of eq. 24, so that the force on the fluid particle is
     /// `-V (D/n0)` times it and the force on the point `pair.j` the exact opposite. The pair is seen
-    /// from the fluid particle, whose fields are `own`.
+    /// from the fluid particle, whose pressure is `pi` and whose other fields are `own`.
     #[inline(always)]
     pub(crate) fn pressure_sum(
         &self,
+        pi: T,
         own: &State<T, D>,
         boundary: &Boundary<T, D>,
         pair: &Pair<T, D>,
     ) -> Vector<T, D> {
         let a = pair.j;
-        let (pi, ni) = (own.pressure, own.density);
-        let (pa, na) = self.state(pi, ni, &boundary.acceleration[a], &pair.r_ij);
-        let pressure =
-            ConservativeGradient::pair_pressure(pi, ni, own.inverse_density, pa, na, T::one() / na);
+        let (pa, na) = self.state(pi, own.density, &boundary.acceleration[a], &pair.r_ij);
+        let pressure = ConservativeGradient::pair_pressure(own.share, own.density, pa / na, na);
         pair.r_ij * (pressure * pair.over_r2 * boundary.volume[a] + self.guard.share(pair))
     }
 }

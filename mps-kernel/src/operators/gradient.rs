@@ -57,11 +57,11 @@ pub struct ConservativeGradient<T> {
 }
 
 impl<T: Real> ConservativeGradient<T> {
-    /// The symmetric pressure of a pair, `(n_i/n_j) p_j + (n_j/n_i) p_i`, from both pressures, both
-    /// densities and their inverses (which sweeps keep, to avoid two divisions a pair).
+    /// The symmetric pressure of a pair, `(n_i/n_j) p_j + (n_j/n_i) p_i`, from the quotients `s = p/n` (which sweeps keep, to avoid
+    /// two divisions a pair) and the densities of both.
     #[inline(always)]
-    pub fn pair_pressure<N: Number<T>>(pi: T, ni: T, inverse_ni: T, pj: N, nj: N, inverse_nj: N) -> N {
-        inverse_nj * ni * pj + nj * inverse_ni * pi
+    pub fn pair_pressure<N: Number<T>>(si: T, ni: T, sj: N, nj: N) -> N {
+        sj * ni + nj * si
     }
 }
 
@@ -75,7 +75,7 @@ impl<T: Real, const D: usize> PairOperator<T, D, (T, T)> for ConservativeGradien
     #[inline(always)]
     fn add(&self, sum: &mut Self::Output, fi: &(T, T), fj: &(T, T), pair: &Pair<T, D>) {
         let ((pi, ni), (pj, nj)) = (*fi, *fj);
-        let pressure = Self::pair_pressure(pi, ni, T::one() / ni, pj, nj, T::one() / nj);
+        let pressure = Self::pair_pressure(pi / ni, ni, pj / nj, nj);
         *sum += pair.r_ij * (pressure * pair.over_r2);
     }
 

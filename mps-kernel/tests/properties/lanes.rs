@@ -25,7 +25,7 @@ fn formulas<T: Real, N: Number<T>, J>(
         components(&laplacian)[1],
         Divergence::pair(u, v, pair),
         DiffusionFilter::pair(*f, u, *g, v, pair),
-        ConservativeGradient::pair_pressure(*f, T::of(1.01), T::of(0.99), *g, *g + T::of(3.0), *g),
+        ConservativeGradient::pair_pressure(*f, T::of(1.01), *g, *g + T::of(3.0)),
     ]
 }
 
