@@ -61,7 +61,7 @@ fn every_scene_is_good_without_a_warning_and_runs() {
         assert_eq!(summary.status, "completed");
         count += 1;
     }
-    assert!(count >= 8, "{count} scenes");
+    assert!(count >= 10, "{count} scenes");
 }
 
 #[test]
@@ -112,6 +112,33 @@ fn the_scene_of_the_cantilever_is_that_of_the_program() {
         &["time [s]", "tip x [m]", "tip y [m]", "energy [J/m]"].map(|c| (c, c)),
         1e-9,
     );
+}
+
+/// The channel, with the elastic flag and the rigid one: forces, motion and steps.
+#[test]
+fn the_scenes_of_the_channel_are_those_of_the_program() {
+    const PROGRAM: &str = env!("CARGO_BIN_EXE_turek-hron");
+    let shape = ["--spacing", "0.01", "--length", "1.5"];
+    let force = [("drag and lift x [N/m]", "drag [N/m]"), ("drag and lift y [N/m]", "lift [N/m]")];
+    let step = ["time [s]", "time step [s]"].map(|name| (name, name));
+
+    let (mine, ours) = scene("turek-hron.toml", &[], &["--end-time", "0.03"]);
+    let elastic = ["--test", "fsi3", "--across", "4", "--end-time", "0.03"];
+    let (theirs, program) = results(PROGRAM, "fsi3", &[elastic.as_slice(), &shape].concat());
+    let flag = [
+        ("end x [m]", "end x [m]"),
+        ("end y [m]", "end y [m]"),
+        ("solid kinetic [J/m]", "flag kinetic [J/m]"),
+        ("solid strain [J/m]", "flag strain [J/m]"),
+        ("work on solids [J/m]", "work on flag [J/m]"),
+    ];
+    assert_same(&mine, &theirs, &[force.as_slice(), &step, &flag].concat(), 1e-9);
+    assert_eq!(ours.steps, program.steps);
+
+    let (mine, _) = scene("turek-hron-rigid.toml", &[], &["--end-time", "0.3"]);
+    let rigid = ["--test", "cfd1", "--end-time", "0.3"];
+    let (theirs, _) = results(PROGRAM, "cfd1", &[rigid.as_slice(), &shape].concat());
+    assert_same(&mine, &theirs, &[force.as_slice(), &step].concat(), 1e-9);
 }
 
 #[test]

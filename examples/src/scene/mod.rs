@@ -5,7 +5,7 @@
 //! | `lattice`, `line` | points that fill regions and lie along walls |
 //! | `layout` | all points of a scene, before any physics |
 //! | `law`, `viscosity` | materials and viscosities by name |
-//! | `water`, `bodies`, `movers` | fluid, elastic bodies, moved walls |
+//! | `water`, `openings`, `bodies`, `fixed`, `movers` | fluid, where it enters and leaves, elastic and rigid bodies, moved walls |
 //! | `world` | what is stepped: fluid with bodies, or bodies alone |
 //! | `clearance`, `diagnosis` | what is wrong with a scene that can be seen before it runs |
 //! | `probes`, `observer`, `fields`, `report` | what is measured, written, and said |
@@ -17,6 +17,7 @@ mod bodies;
 mod clearance;
 mod diagnosis;
 mod fields;
+mod fixed;
 mod keeper;
 mod lattice;
 mod law;
@@ -24,6 +25,7 @@ mod layout;
 mod line;
 mod movers;
 mod observer;
+mod openings;
 mod plan;
 mod probes;
 mod report;
@@ -35,8 +37,10 @@ mod water;
 mod world;
 
 pub use diagnosis::{Diagnosis, diagnose};
+pub use fixed::FixedPoints;
 pub use law::Law;
 pub use layout::Layout;
+pub use openings::Behind;
 pub use plan::plan;
 pub use resume::resume;
 pub use run::run;
@@ -44,6 +48,11 @@ pub use viscosity::Viscous;
 pub use world::World;
 
 use mps_kernel::{Real, Vector};
+
+/// Places as vectors of the number type of the run.
+fn vectors<T: Real>(places: &[lattice::Place]) -> Vec<Vector<T, 2>> {
+    places.iter().map(|place| vector(place)).collect()
+}
 
 /// The number type of a run for a point of a scene file, whose dimension has been checked.
 fn vector<T: Real>(point: &[f64]) -> Vector<T, 2> {

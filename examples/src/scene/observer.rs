@@ -64,7 +64,7 @@ impl<T: Real> Observer<T> {
         dt: f64,
     ) -> Result<(), Failure> {
         let mut row = vec![world.time()];
-        self.probes.iter().for_each(|probe| probe.measure(world, &mut row));
+        self.probes.iter_mut().for_each(|probe| probe.measure(world, &mut row));
         let (fluid, solid) = world.energy(parallel);
         let work = world.coupled().map_or(0.0, |scene| scene.budget().work.to_double());
         row.extend([
@@ -86,8 +86,9 @@ impl<T: Real> Observer<T> {
 
     /// Saves how many rows there are, or goes back to those there were.
     pub(super) fn transfer(&mut self, transfer: &mut Transfer<'_>) {
-        let Self { path, csv, probes: _, names: _, measured: _, rows } = self;
+        let Self { path, csv, probes, names: _, measured: _, rows } = self;
         csv.transfer(transfer);
+        probes.iter_mut().for_each(|probe| probe.transfer(transfer));
         if transfer.is_restoring() && transfer.is_good() {
             match CsvTable::read(&*path) {
                 // The numbers of the table have the bits of those that were written.

@@ -45,6 +45,9 @@ pub(super) fn summary<T: Real>(
     summary.particles.insert("fluid".into(), layout.fluid_len() as u64);
     summary.particles.insert("wall".into(), layout.walls_len() as u64);
     summary.particles.insert("structure".into(), layout.solids_len() as u64);
+    if !scene.fixed.is_empty() {
+        summary.particles.insert("fixed".into(), layout.fixed_len() as u64);
+    }
     for k in 1..observer.measured {
         let column = observer.column(k);
         let (name, unit) = observer.names[k].rsplit_once(" [").unwrap_or((&observer.names[k], "-]"));
