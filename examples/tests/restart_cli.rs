@@ -36,6 +36,17 @@ fn reservoirs(end: &str) -> PathBuf {
     scene("two-reservoirs.toml", &changes, end)
 }
 
+/// The channel with a slower flow that comes up to speed at once: when it is stopped, particles have entered and left.
+fn channel(end: &str) -> PathBuf {
+    let changes = [
+        ("mean_speed = 2.0", "mean_speed = 0.2"),
+        ("ramp = 2.0", "ramp = 0.1"),
+        ("sound_speed = 40.0", "sound_speed = 4.0"),
+        ("background_pressure = 8000.0", "background_pressure = 80.0"),
+    ];
+    scene("turek-hron.toml", &changes, end)
+}
+
 /// Runs a scene in one piece.
 fn whole(name: &str, scene: &Path) -> PathBuf {
     let dir = fresh("restart", name);
@@ -101,6 +112,7 @@ fn a_run_that_was_stopped_by_a_signal_goes_on_with_the_same_bits() {
         ("gate", reservoirs("0.04")),
         ("piston", scene("wave-maker.toml", &[("spacing = 5e-3", "spacing = 1e-2")], "0.3")),
         ("plate", scene("cantilever.toml", &[], "0.2")),
+        ("channel", channel("0.5")),
     ];
     for (k, (name, scene)) in scenes.iter().enumerate() {
         let one = whole(name, scene);

@@ -150,7 +150,13 @@ fn openings(
     let Some(fluid) = &scene.fluid else { return Ok(()) };
     let l0 = fluid.spacing;
     let water: Vec<Place> = layout.fluid.iter().flatten().copied().collect();
-    let points = || layout.walls.iter().zip(&scene.walls).flat_map(|(parts, wall)| parts.iter().map(|part| (part, wall.fineness * l0)));
+    let points = || {
+        layout
+            .walls
+            .iter()
+            .zip(&scene.walls)
+            .flat_map(|(parts, wall)| parts.iter().map(|part| (part, wall.fineness * l0)))
+    };
     for behind in &layout.behind {
         if nearest(&water, &behind.places, GAP * l0, parallel)?.is_none() {
             let remedy = "let a body of fluid begin at its plane, on the side where the fluid comes from (outlet) or goes to (inlet)";
@@ -161,7 +167,11 @@ fn openings(
             if let Some(near) = nearest(&behind.places, &part.places, OVERLAP * unit, parallel)? {
                 let [x, y] = near.place;
                 let what = format!("has a wall behind it near ({x:.4}, {y:.4})");
-                found.refusals.push(source.problem(&behind.key, what, "leave what lies behind the plane free of walls"));
+                found.refusals.push(source.problem(
+                    &behind.key,
+                    what,
+                    "leave what lies behind the plane free of walls",
+                ));
             }
         }
         for [x, y] in behind.ends {
@@ -171,7 +181,8 @@ fn openings(
             });
             if !beside {
                 let what = format!("has no wall beside it near ({x:.4}, {y:.4})");
-                let remedy = format!("let the walls on both sides go on {:.3e} m behind its plane", behind.depth);
+                let remedy =
+                    format!("let the walls on both sides go on {:.3e} m behind its plane", behind.depth);
                 found.warnings.push(source.problem(&behind.key, what, remedy));
             }
         }

@@ -11,7 +11,8 @@
 //! | `probes`, `observer`, `fields`, `report` | what is measured, written, and said |
 //! | `run`, `watched` | the run, with all that watches it |
 //! | `keeper`, `resume` | its checkpoints, and how it goes on from one |
-//! | `plan` | what a run will cost |
+//! | `plan`, `plot` | what a run will cost, and the plots of one made before |
+//! | `print` | the scene that a program describes instead of running it |
 
 mod bodies;
 mod clearance;
@@ -27,6 +28,8 @@ mod movers;
 mod observer;
 mod openings;
 mod plan;
+mod plot;
+mod print;
 mod probes;
 mod report;
 mod resume;
@@ -42,6 +45,8 @@ pub use law::Law;
 pub use layout::Layout;
 pub use openings::Behind;
 pub use plan::plan;
+pub use plot::{Drawing, plot};
+pub use print::print_scene;
 pub use resume::resume;
 pub use run::run;
 pub use viscosity::Viscous;

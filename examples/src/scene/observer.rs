@@ -23,6 +23,11 @@ const COLUMNS: [&str; 10] = [
     "sub-steps [-]",
 ];
 
+/// Number of columns of the time and the probes, in a table with these names.
+pub(super) fn measured(names: &[String]) -> usize {
+    names.len().saturating_sub(COLUMNS.len())
+}
+
 /// The record of a run.
 pub(super) struct Observer<T: Real> {
     path: PathBuf,
@@ -105,6 +110,11 @@ impl<T: Real> Observer<T> {
     /// Forces the rows to the disk.
     pub(super) fn sync(&self) -> Result<(), Failure> {
         Ok(self.csv.sync()?)
+    }
+
+    /// The record as a table.
+    pub(super) fn table(&self) -> CsvTable {
+        CsvTable { names: self.names.clone(), columns: (0..self.names.len()).map(|k| self.column(k)).collect() }
     }
 
     /// A column of the record.

@@ -18,8 +18,7 @@ pub(super) fn inlet<T: Real>(inlet: &Inlet) -> physics::Inlet<T, 2> {
     let (low, width) = (corners.lower[side], corners.upper[side] - corners.lower[side]);
     let speed = move |place: &Vector<T, 2>, time: T| {
         let time = time.to_double();
-        let risen =
-            if time < ramp { 0.5 * (1.0 - (core::f64::consts::PI * time / ramp).cos()) } else { 1.0 };
+        let risen = if time < ramp { 0.5 * (1.0 - (core::f64::consts::PI * time / ramp).cos()) } else { 1.0 };
         T::of(risen * mean * profile.at((place[side].to_double() - low) / width))
     };
     physics::Inlet::new(opening(&corners, toward), speed)

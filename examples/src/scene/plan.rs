@@ -89,7 +89,11 @@ fn measure<T: Real, K: Kernel<T>>(world: &mut World<T, K>, parallel: &Parallel) 
 // Writing into a String cannot fail, here and below.
 fn particles(text: &mut String, scene: &SceneFile, layout: &Layout, diagnosis: &Diagnosis) {
     let (fluid, walls, solids) = (layout.fluid_len(), layout.walls_len(), layout.solids_len());
-    let fixed = if scene.fixed.is_empty() { String::new() } else { format!(", {} of fixed bodies", layout.fixed_len()) };
+    let fixed = if scene.fixed.is_empty() {
+        String::new()
+    } else {
+        format!(", {} of fixed bodies", layout.fixed_len())
+    };
     let _ = writeln!(text, "particles      {fluid} of fluid, {walls} of walls, {solids} of bodies{fixed}");
     for (solid, across) in scene.solids.iter().zip(&diagnosis.across) {
         let _ = writeln!(text, "               {across:.1} across the thinnest side of {}", solid.name);

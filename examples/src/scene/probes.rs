@@ -18,11 +18,22 @@ pub(super) struct Probe<T: Real> {
 
 enum Sense<T: Real> {
     Pressure(Vector<T, 2>),
-    Front { start: [f64; 2], height: f64, sign: f64 },
+    Front {
+        start: [f64; 2],
+        height: f64,
+        sign: f64,
+    },
     Level([f64; 2]),
-    Displacement { solid: usize, point: MaterialPoint<T, 2> },
+    Displacement {
+        solid: usize,
+        point: MaterialPoint<T, 2>,
+    },
     /// Mean force on structures since the row before, of which it keeps impulse and time.
-    Force { bodies: Vec<usize>, impulse: [f64; 2], time: f64 },
+    Force {
+        bodies: Vec<usize>,
+        impulse: [f64; 2],
+        time: f64,
+    },
 }
 
 impl<T: Real> Probe<T> {

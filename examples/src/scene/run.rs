@@ -98,7 +98,7 @@ fn whole<T: Real, K: Kernel<T>>(plan: Plan<'_>, weight: K, from: Origin<'_>) -> 
     })?;
 
     // Whatever happened, what has been computed is kept.
-    report::plots(&dir, scene, &observer)?;
+    report::plots(&dir, &scene.title, &observer.table(), observer.measured)?;
     let cost = Cost {
         threads: parallel.threads(),
         steps: world.steps(),

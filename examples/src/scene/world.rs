@@ -56,7 +56,8 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
     /// If a part refuses its numbers.
     pub fn new(scene: &SceneFile, layout: &Layout, weight: K, parallel: &Parallel) -> Result<Self, Failure> {
         let background = scene.fluid.as_ref().map_or(0.0, |fluid| fluid.numerics.background_pressure);
-        let bodies = scene.solids.iter().map(|solid| Ok(ElasticBody::new(body(solid, background, parallel)?)));
+        let bodies =
+            scene.solids.iter().map(|solid| Ok(ElasticBody::new(body(solid, background, parallel)?)));
         let bodies = bodies.collect::<Result<Vec<Elastic<T>>, Failure>>()?;
         let Some(fluid) = &scene.fluid else {
             let [interval, ..] = scene.output.intervals(scene.end_time);

@@ -38,6 +38,21 @@ pub struct Fluid {
 }
 
 impl Fluid {
+    /// Water of particles this far apart \[m\], with the default numerics, and without a speed yet.
+    pub fn new(spacing: f64, bodies: Vec<Body>) -> Self {
+        Self {
+            spacing,
+            density: water(),
+            expected_speed: None,
+            sound_speed: None,
+            viscosity: Viscosity::default(),
+            bodies,
+            inlets: Vec::new(),
+            outlets: Vec::new(),
+            numerics: Numerics::default(),
+        }
+    }
+
     /// Numerical sound speed \[m/s\]; zero if the scene says nothing of it, which the check refuses.
     pub fn sound(&self) -> f64 {
         self.sound_speed.or(self.expected_speed.map(|speed| 10.0 * speed)).unwrap_or(0.0)

@@ -43,6 +43,20 @@ pub struct Disc {
     pub radius: f64,
 }
 
+impl Corners {
+    /// The box between two corners \[m\].
+    pub fn between<const D: usize>(lower: [f64; D], upper: [f64; D]) -> Self {
+        Self { lower: lower.into(), upper: upper.into() }
+    }
+}
+
+impl Region {
+    /// The box between two corners \[m\].
+    pub fn between<const D: usize>(lower: [f64; D], upper: [f64; D]) -> Self {
+        Self::Box(Corners::between(lower, upper))
+    }
+}
+
 impl Disc {
     /// Where its line is at the height `y` \[m\], on the right of its centre; `None` above and below it.
     pub fn right_of(&self, y: f64) -> Option<f64> {

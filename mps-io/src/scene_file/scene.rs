@@ -52,6 +52,24 @@ fn two() -> usize {
     2
 }
 
+/// Nothing yet, in two dimensions: for programs that describe a scene.
+impl Default for SceneFile {
+    fn default() -> Self {
+        Self {
+            title: String::new(),
+            dimension: two(),
+            end_time: 0.0,
+            gravity: Vec::new(),
+            fluid: None,
+            walls: Vec::new(),
+            solids: Vec::new(),
+            fixed: Vec::new(),
+            probes: Vec::new(),
+            output: Output::default(),
+        }
+    }
+}
+
 impl SceneFile {
     /// The scene as TOML.
     ///

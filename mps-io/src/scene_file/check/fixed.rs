@@ -44,6 +44,11 @@ impl Checker<'_> {
         let (most, length) = (0.2 * (upper[0] - lower[0]), upper[0] - lower[0]);
         let apart = [start, center[0] + radius].map(|x| (x - lower[0]).abs()).into_iter().fold(0.0, f64::max);
         let what = format!("is {apart:.3e} m from the left end of the box, which is {length:.3e} m long");
-        self.unless(apart <= most, key, what, "let the box begin where it touches the disc: rows are stretched by a fifth at most");
+        self.unless(
+            apart <= most,
+            key,
+            what,
+            "let the box begin where it touches the disc: rows are stretched by a fifth at most",
+        );
     }
 }

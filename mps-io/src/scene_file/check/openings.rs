@@ -15,7 +15,7 @@ impl Checker<'_> {
         for (k, Inlet { opening, toward, mean_speed, profile: _, ramp }) in fluid.inlets.iter().enumerate() {
             let key = format!("fluid.inlets[{k}]");
             self.opening(opening, *toward, l0, &key);
-            let remedy = "give the mean speed in m/s; against it fluid enters by another direction";
+            let remedy = "give the mean speed in m/s, above zero: `toward` says where the fluid goes";
             self.positive(*mean_speed, &format!("{key}.mean_speed"), remedy);
             let remedy = "give the time in seconds, or 0 for full speed from the start on";
             self.within(*ramp, [0.0, f64::MAX], &format!("{key}.ramp"), remedy);

@@ -37,15 +37,22 @@ impl Checker<'_> {
         for (k, solid) in scene.solids.iter().enumerate() {
             self.solid(solid, &format!("solids[{k}]"));
         }
-        self.unless(l0.is_some() || scene.fixed.is_empty(), "fixed", "have no fluid to feel", no_fluid_to_feel);
+        self.unless(
+            l0.is_some() || scene.fixed.is_empty(),
+            "fixed",
+            "have no fluid to feel",
+            no_fluid_to_feel,
+        );
         for (k, body) in scene.fixed.iter().enumerate() {
             self.fixed(body, l0.unwrap_or(1.0), &format!("fixed[{k}]"));
         }
         // Probes find both by name.
-        let solids = scene.solids.iter().enumerate().map(|(k, solid)| (format!("solids[{k}].name"), &solid.name));
+        let solids =
+            scene.solids.iter().enumerate().map(|(k, solid)| (format!("solids[{k}].name"), &solid.name));
         let fixed = scene.fixed.iter().enumerate().map(|(k, body)| (format!("fixed[{k}].name"), &body.name));
         self.names(solids.chain(fixed));
-        let probes = scene.probes.iter().enumerate().map(|(k, probe)| (format!("probes[{k}].name"), &probe.name));
+        let probes =
+            scene.probes.iter().enumerate().map(|(k, probe)| (format!("probes[{k}].name"), &probe.name));
         self.names(probes);
         for (k, probe) in scene.probes.iter().enumerate() {
             self.probe(probe, scene, &format!("probes[{k}].measure"));
@@ -95,12 +102,19 @@ impl Checker<'_> {
                 let on = format!("{key}.force.on");
                 self.unless(!force.on.is_empty(), &on, "names no body", "name one at least");
                 let solids = scene.solids.iter().map(|solid| solid.name.as_str());
-                let names: Vec<&str> = solids.chain(scene.fixed.iter().map(|body| body.name.as_str())).collect();
+                let names: Vec<&str> =
+                    solids.chain(scene.fixed.iter().map(|body| body.name.as_str())).collect();
                 for (k, name) in force.on.iter().enumerate() {
-                    let (what, advice) = (format!("is {name:?}, and no body has this name"), advice(name, &names));
+                    let (what, advice) =
+                        (format!("is {name:?}, and no body has this name"), advice(name, &names));
                     self.unless(names.contains(&name.as_str()), &format!("{on}[{k}]"), what, advice);
                     let twice = force.on[..k].contains(name);
-                    self.unless(!twice, &format!("{on}[{k}]"), format!("is {name:?} again"), "name each body once");
+                    self.unless(
+                        !twice,
+                        &format!("{on}[{k}]"),
+                        format!("is {name:?} again"),
+                        "name each body once",
+                    );
                 }
             }
             Measure::Displacement(displacement) => {
