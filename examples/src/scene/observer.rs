@@ -114,7 +114,10 @@ impl<T: Real> Observer<T> {
 
     /// The record as a table.
     pub(super) fn table(&self) -> CsvTable {
-        CsvTable { names: self.names.clone(), columns: (0..self.names.len()).map(|k| self.column(k)).collect() }
+        CsvTable {
+            names: self.names.clone(),
+            columns: (0..self.names.len()).map(|k| self.column(k)).collect(),
+        }
     }
 
     /// A column of the record.

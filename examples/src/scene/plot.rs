@@ -80,7 +80,10 @@ fn column(table: &CsvTable, name: &str) -> Option<usize> {
 }
 
 fn no_column(path: &Path, table: &CsvTable, name: &str) -> Undrawn {
-    let bare = table.names.iter().map(|heading| heading.rsplit_once(" [").map_or(heading.as_str(), |(bare, _)| bare));
+    let bare = table
+        .names
+        .iter()
+        .map(|heading| heading.rsplit_once(" [").map_or(heading.as_str(), |(bare, _)| bare));
     let advice = match closest(name, bare.clone()) {
         Some(meant) => format!("did you mean {meant:?}?"),
         None => format!("there are {}", bare.collect::<Vec<_>>().join(", ")),
