@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{execute, fresh, words};
+use common::{assert_same, execute, fresh, results, words};
 use mps_io::{CsvTable, Summary};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -12,14 +12,6 @@ const MPS: &str = env!("CARGO_BIN_EXE_mps");
 
 fn scenes() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")
-}
-
-/// Runs a program without pictures and reads its table and its summary.
-fn results(program: &str, name: &str, arguments: &[&str]) -> (CsvTable, Summary) {
-    let dir = fresh("scenes", name);
-    let output = execute(program, &dir, &[arguments, &["--no-fields", "--quiet"]].concat());
-    assert!(output.status.success(), "{name}: {}", words(&output.stderr));
-    (CsvTable::read(dir.join("probes.csv")).unwrap(), Summary::read(dir.join("summary.json")).unwrap())
 }
 
 /// Runs a scene of the gallery after some changes of its text.
@@ -34,18 +26,6 @@ fn scene(name: &str, changes: &[(&str, &str)], arguments: &[&str]) -> (CsvTable,
     let file = dir.join(name);
     std::fs::write(&file, text).unwrap();
     results(MPS, name, &[&["run", file.to_str().unwrap()], arguments].concat())
-}
-
-/// Two columns agree within a share of the largest value of the second.
-fn assert_same(a: &CsvTable, b: &CsvTable, columns: &[(&str, &str)], share: f64) {
-    for (mine, theirs) in columns {
-        let (x, y) = (a.column(mine).unwrap(), b.column(theirs).unwrap());
-        assert_eq!(x.len(), y.len(), "{mine}");
-        let largest = y.iter().fold(0.0_f64, |largest, y| largest.max(y.abs()));
-        for (k, (x, y)) in x.iter().zip(y).enumerate() {
-            assert!((x - y).abs() <= share * largest, "{mine} is {x:e} in row {k}, in the program {y:e}");
-        }
-    }
 }
 
 #[test]

@@ -29,8 +29,9 @@ impl FixedPoints {
         let spacing = body.spacing.unwrap_or(fluid.spacing);
         let (places, volumes) = match (&body.packing, &body.region) {
             (Packing::Rings, Region::Circle(Disc { center, radius })) => {
-                // As deep as a wall.
-                let layers = (fluid.numerics.radius * fluid.spacing / spacing).ceil() as usize + 1;
+                // One more than the fluid reaches, whatever the rounding.
+                let reach = fluid.numerics.radius * fluid.spacing / spacing;
+                let layers = (reach - 1e-6).ceil() as usize + 1;
                 rings(vector::<f64>(center).into(), *radius, spacing, layers)
             }
             (Packing::Rows(disc), Region::Box(corners)) => {

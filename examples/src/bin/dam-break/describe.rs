@@ -35,7 +35,10 @@ pub(crate) fn scene(options: &Options, settings: &Settings) -> Result<SceneFile,
         fixed: vec![far_wall(settings)],
         probes: vec![
             probe("front", Measure::Front(front)),
-            probe("pressure on the far wall", Measure::Pressure(PressureProbe { at: vec![TANK, 0.01 * HEIGHT] })),
+            probe(
+                "pressure on the far wall",
+                Measure::Pressure(PressureProbe { at: vec![TANK, 0.01 * HEIGHT] }),
+            ),
             probe("level at the back", Measure::Level(LevelProbe { foot: vec![0.5 * LENGTH, 0.0] })),
         ],
         output: Output {
@@ -91,10 +94,8 @@ fn fluid(options: &Options, settings: &Settings) -> Fluid {
 fn walls(settings: &Settings) -> Vec<Wall> {
     let depth = settings.radius * settings.spacing;
     let from = TANK - bed_length(settings.spacing, depth);
-    let wall = |name: &str, region| Wall {
-        fineness: WALL_SPACING,
-        ..Wall::filling(name, region, Slip::Free)
-    };
+    let wall =
+        |name: &str, region| Wall { fineness: WALL_SPACING, ..Wall::filling(name, region, Slip::Free) };
     vec![
         wall("back", Region::between([-depth, 0.0], [0.0, WALL_HEIGHT])),
         wall("bed", Region::between([from, -depth], [TANK, 0.0])),

@@ -128,6 +128,7 @@ fn walls(settings: &Settings) -> Vec<Wall> {
     let l0 = settings.spacing;
     let reach = settings.layers() as f64 * l0;
     let (from, to) = (-reach - l0, settings.length + 3.0 * reach);
-    let wall = |name: &str, low, high| Wall::filling(name, Region::between([from, low], [to, high]), Slip::None);
+    let wall =
+        |name: &str, low, high| Wall::filling(name, Region::between([from, low], [to, high]), Slip::None);
     vec![wall("floor", -reach, 0.0), wall("ceiling", HEIGHT, HEIGHT + reach)]
 }
