@@ -111,7 +111,7 @@ const IN_THE_CHANNEL: &[Mistake] = &[
     (
         "a flag that moves in the cylinder",
         "clamp = { disc = { center = [0.2, 0.2], radius = 0.05 } }",
-        "clamp = { sides = [\"right\"] }",
+        "clamp = { disc = { center = [0.2, 0.2], radius = 0.045 } }",
         "scene.toml:60:10: solids[0].region overlaps the fixed body cylinder near (0.2494, 0.1925): move one of them: only particles \
          that are held may be in a fixed body",
     ),
