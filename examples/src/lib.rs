@@ -8,6 +8,7 @@ mod conclusion;
 mod connected;
 mod recording;
 mod released_column;
+mod rings;
 pub mod scene;
 mod schedule;
 pub mod series;
@@ -20,6 +21,7 @@ pub use conclusion::{Cost, conclude, enter_results, exit_code};
 pub use connected::{GAP, connected};
 pub use recording::{Recorded, record};
 pub use released_column::released_column;
+pub use rings::rings;
 pub use schedule::{Due, Moments};
 pub use words::{closing_words, report_failure};
 

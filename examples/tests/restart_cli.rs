@@ -36,6 +36,17 @@ fn reservoirs(end: &str) -> PathBuf {
     scene("two-reservoirs.toml", &changes, end)
 }
 
+/// The channel with a slower flow that comes up to speed at once.
+fn channel(end: &str) -> PathBuf {
+    let changes = [
+        ("mean_speed = 2.0", "mean_speed = 0.2"),
+        ("ramp = 2.0", "ramp = 0.1"),
+        ("sound_speed = 40.0", "sound_speed = 4.0"),
+        ("background_pressure = 8000.0", "background_pressure = 80.0"),
+    ];
+    scene("turek-hron.toml", &changes, end)
+}
+
 /// Runs a scene in one piece.
 fn whole(name: &str, scene: &Path) -> PathBuf {
     let dir = fresh("restart", name);
@@ -117,6 +128,21 @@ fn a_run_that_was_stopped_by_a_signal_goes_on_with_the_same_bits() {
         resumed(&dir, &["--threads", "3"]);
         assert_same(&one, &dir);
     }
+}
+
+/// A channel with an elastic flag is prolonged, after particles have entered and left.
+#[test]
+fn a_channel_goes_on_with_the_same_bits() {
+    let one = whole("channel", &channel("0.5"));
+    let dir = whole("channel-begun", &channel("0.3"));
+    let (checkpoint, _) = Rotation::new(dir.join("checkpoint")).read().unwrap();
+    let mut sections = checkpoint.state.sections().iter();
+    let passed = sections.find(|section| section.name == "wet/scene/fluid/open/passed").unwrap();
+    for count in passed.bytes.chunks(8) {
+        assert!(u64::from_ne_bytes(count.try_into().unwrap()) > 50, "{:?}", passed.bytes);
+    }
+    resumed(&dir, &["--end-time", "0.5", "--threads", "3"]);
+    assert_same(&one, &dir);
 }
 
 /// Simulated time of the checkpoint that a resumed run would begin with.

@@ -6,10 +6,12 @@ use mps_io::scene_file::{Source, parse};
 use mps_neighbors::Parallel;
 use proptest::prelude::*;
 
-const SCENES: [&str; 3] = [
+const SCENES: [&str; 5] = [
     include_str!("../scenes/two-reservoirs.toml"),
     include_str!("../scenes/heavy-beam.toml"),
     include_str!("../scenes/falling-drop.toml"),
+    include_str!("../scenes/turek-hron.toml"),
+    include_str!("../scenes/turek-hron-rigid.toml"),
 ];
 
 /// What a number may become.

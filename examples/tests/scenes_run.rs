@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{execute, fresh, words};
+use common::{assert_same, execute, fresh, results, words};
 use mps_io::{CsvTable, Summary};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -12,14 +12,6 @@ const MPS: &str = env!("CARGO_BIN_EXE_mps");
 
 fn scenes() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")
-}
-
-/// Runs a program without pictures and reads its table and its summary.
-fn results(program: &str, name: &str, arguments: &[&str]) -> (CsvTable, Summary) {
-    let dir = fresh("scenes", name);
-    let output = execute(program, &dir, &[arguments, &["--no-fields", "--quiet"]].concat());
-    assert!(output.status.success(), "{name}: {}", words(&output.stderr));
-    (CsvTable::read(dir.join("probes.csv")).unwrap(), Summary::read(dir.join("summary.json")).unwrap())
 }
 
 /// Runs a scene of the gallery after some changes of its text.
@@ -36,18 +28,6 @@ fn scene(name: &str, changes: &[(&str, &str)], arguments: &[&str]) -> (CsvTable,
     results(MPS, name, &[&["run", file.to_str().unwrap()], arguments].concat())
 }
 
-/// Two columns agree within a share of the largest value of the second.
-fn assert_same(a: &CsvTable, b: &CsvTable, columns: &[(&str, &str)], share: f64) {
-    for (mine, theirs) in columns {
-        let (x, y) = (a.column(mine).unwrap(), b.column(theirs).unwrap());
-        assert_eq!(x.len(), y.len(), "{mine}");
-        let largest = y.iter().fold(0.0_f64, |largest, y| largest.max(y.abs()));
-        for (k, (x, y)) in x.iter().zip(y).enumerate() {
-            assert!((x - y).abs() <= share * largest, "{mine} is {x:e} in row {k}, in the program {y:e}");
-        }
-    }
-}
-
 #[test]
 fn every_scene_is_good_without_a_warning_and_runs() {
     let mut count = 0;
@@ -61,7 +41,7 @@ fn every_scene_is_good_without_a_warning_and_runs() {
         assert_eq!(summary.status, "completed");
         count += 1;
     }
-    assert!(count >= 8, "{count} scenes");
+    assert!(count >= 10, "{count} scenes");
 }
 
 #[test]
@@ -112,6 +92,33 @@ fn the_scene_of_the_cantilever_is_that_of_the_program() {
         &["time [s]", "tip x [m]", "tip y [m]", "energy [J/m]"].map(|c| (c, c)),
         1e-9,
     );
+}
+
+/// The channel, with the elastic flag and the rigid one: forces, motion and steps.
+#[test]
+fn the_scenes_of_the_channel_are_those_of_the_program() {
+    const PROGRAM: &str = env!("CARGO_BIN_EXE_turek-hron");
+    let shape = ["--spacing", "0.01", "--length", "1.5"];
+    let force = [("drag and lift x [N/m]", "drag [N/m]"), ("drag and lift y [N/m]", "lift [N/m]")];
+    let step = ["time [s]", "time step [s]"].map(|name| (name, name));
+
+    let (mine, ours) = scene("turek-hron.toml", &[], &["--end-time", "0.03"]);
+    let elastic = ["--test", "fsi3", "--across", "4", "--end-time", "0.03"];
+    let (theirs, program) = results(PROGRAM, "fsi3", &[elastic.as_slice(), &shape].concat());
+    let flag = [
+        ("end x [m]", "end x [m]"),
+        ("end y [m]", "end y [m]"),
+        ("solid kinetic [J/m]", "flag kinetic [J/m]"),
+        ("solid strain [J/m]", "flag strain [J/m]"),
+        ("work on solids [J/m]", "work on flag [J/m]"),
+    ];
+    assert_same(&mine, &theirs, &[force.as_slice(), &step, &flag].concat(), 1e-9);
+    assert_eq!(ours.steps, program.steps);
+
+    let (mine, _) = scene("turek-hron-rigid.toml", &[], &["--end-time", "0.3"]);
+    let rigid = ["--test", "cfd1", "--end-time", "0.3"];
+    let (theirs, _) = results(PROGRAM, "cfd1", &[rigid.as_slice(), &shape].concat());
+    assert_same(&mine, &theirs, &[force.as_slice(), &step].concat(), 1e-9);
 }
 
 #[test]

@@ -17,6 +17,8 @@ pub(crate) struct Body<T: Real, const D: usize> {
     pub(crate) force: Vec<Vector<T, D>>,
     /// Positions of its points at the start of the step \[m\].
     pub(crate) start: Vec<Vector<T, D>>,
+    /// Impulse handed over to it so far \[N s\].
+    pub(crate) impulse: Vector<T, D>,
 }
 
 impl<T: Real, const D: usize> Body<T, D> {
@@ -116,7 +118,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         );
         let force = vec![Vector::zeros(); positions.len()];
         let start = positions.to_vec();
-        self.bodies.push(Body { structure, interface, range, force, start });
+        self.bodies.push(Body { structure, interface, range, force, start, impulse: Vector::zeros() });
         Ok(index)
     }
 
@@ -167,6 +169,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                     .advance(parallel, &body.force, &gravity, sub_dt, 1)
                     .map_err(|source| CouplingError::Structure { index, time, source })?;
                 self.budget.book(&body.force, body.structure.mean_velocities(), sub_dt);
+                body.impulse += body.force.iter().fold(Vector::zeros(), |sum, f| sum + f) * sub_dt;
             }
             for body in &self.bodies {
                 body.show_velocities(&mut self.fluid);
@@ -238,6 +241,12 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// Forces of the fluid on the points of structure number `index` in the last step \[N\].
     pub fn forces(&self, index: usize) -> Option<&[Vector<T, D>]> {
         self.bodies.get(index).map(|body| body.force.as_slice())
+    }
+
+    /// Impulse handed over to structure number `index` so far \[N s\] (per metre of depth in 2D): its change over a time is the mean force in
+    /// that time, of which [`forces`](Self::forces) are a moment.
+    pub fn impulse(&self, index: usize) -> Option<Vector<T, D>> {
+        self.bodies.get(index).map(|body| body.impulse)
     }
 
     /// Sub-steps the structures took in the last step.

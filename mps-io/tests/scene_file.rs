@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
 use mps_io::scene_file::{
-    Clamp, InitialPressure, Material, Measure, Region, SceneError, SceneFile, Side, Slip, Source, Viscosity,
-    parse, reference, schema,
+    Clamp, InitialPressure, Material, Measure, Packing, Profile, Region, SceneError, SceneFile, Side, Slip,
+    Source, Viscosity, parse, reference, schema,
 };
 use proptest::prelude::*;
 
@@ -70,6 +70,35 @@ fn a_scene_is_read_whole_and_written_so_that_it_is_read_again() {
     assert!(matches!(scene.solids[0].material, Material::NeoHookean(e) if e.poissons_ratio == 0.4));
     assert!(matches!(&scene.probes[0].measure, Measure::Displacement(probe) if probe.solid == "gate"));
     assert_eq!(read(&scene.to_toml().unwrap()).unwrap(), scene);
+}
+
+/// What a channel has, in its shortest form: the rest is left to the defaults.
+#[test]
+fn openings_and_fixed_bodies_are_read_and_written() {
+    let channel = r#"
+title = "A channel"
+end_time = 1.0
+fluid = { spacing = 0.1, sound_speed = 10.0, bodies = [{ region = { box = { lower = [0.0, 0.0], upper = [2.0, 1.0] } } }], \
+inlets = [{ opening = { lower = [0.0, 0.0], upper = [0.0, 1.0] }, toward = "right", mean_speed = 1.0 }], \
+outlets = [{ opening = { lower = [2.0, 0.0], upper = [2.0, 1.0] }, toward = "right" }] }
+
+[[fixed]]
+name = "post"
+region = { circle = { center = [1.0, 0.5], radius = 0.2 } }
+packing = "rings"
+
+[[probes]]
+name = "drag"
+measure = { force = { on = ["post"] } }
+"#;
+    let scene = read(&channel.replace("\\\n", "")).unwrap();
+    let fluid = scene.fluid.as_ref().unwrap();
+    assert_eq!((fluid.inlets[0].profile, fluid.inlets[0].ramp), (Profile::Uniform, 0.0));
+    assert!(fluid.outlets[0].absorbing && fluid.outlets[0].pressure.is_none());
+    assert_eq!((scene.fixed[0].packing.clone(), scene.fixed[0].spacing), (Packing::Rings, None));
+    assert_eq!(read(&scene.to_toml().unwrap()).unwrap(), scene);
+    let mean: f64 = (0..1000).map(|k| Profile::Parabola.at((f64::from(k) + 0.5) * 1e-3)).sum::<f64>() * 1e-3;
+    assert!((mean - 1.0).abs() < 1e-6 && Profile::Parabola.at(0.5) == Profile::Parabola.largest());
 }
 
 #[test]

@@ -3,12 +3,14 @@
 use super::lattice::fill;
 use super::{Law, vector};
 use crate::Failure;
+use crate::solid::begin_at;
 use crate::solid::plate::first_mode;
-use mps_io::scene_file::{Clamp, Corners, InitialVelocity, Region, Side, Solid as Description};
+use mps_io::scene_file::{Clamp, Corners, Disc, InitialVelocity, Region, Side, Solid as Description};
 use mps_kernel::weights::WendlandC2;
 use mps_kernel::{Real, Vector};
 use mps_neighbors::Parallel;
-use mps_solid::body::{Face, block, counts};
+use mps_solid::body::{Body, Face, block, counts};
+use mps_solid::materials::Ambient;
 use mps_solid::{Solid, SolidConfig, SolidError, SolidParticles};
 
 /// The particles of a body and their distance along each axis \[m\].
@@ -18,22 +20,16 @@ use mps_solid::{Solid, SolidConfig, SolidError, SolidParticles};
 pub(super) fn particles<T: Real>(
     solid: &Description,
 ) -> Result<(SolidParticles<T, 2>, Vector<T, 2>), SolidError> {
-    if let (Region::Box(Corners { lower, upper }), None | Some(Clamp::Sides(_))) =
-        (&solid.region, &solid.clamp)
-    {
-        let faces: Vec<Face> = match &solid.clamp {
-            Some(Clamp::Sides(sides)) => sides.iter().copied().map(face).collect(),
-            _ => Vec::new(),
-        };
-        let (lower, upper) = (vector(lower), vector(upper));
-        // As many as fit, not the two at least that `counts` gives: a thin body is to be refused.
-        let mut counts = counts(&lower, &upper, T::of(solid.spacing), &faces);
-        for axis in 0..2 {
-            let cells = ((upper[axis] - lower[axis]) / T::of(solid.spacing)).to_double();
-            counts[axis] = if cells < 1.5 { 1 } else { counts[axis] };
+    if let Region::Box(corners) = &solid.region {
+        match &solid.clamp {
+            None => return fitted(corners, solid.spacing, &[]).map(whole),
+            Some(Clamp::Sides(sides)) => {
+                let faces: Vec<Face> = sides.iter().copied().map(face).collect();
+                return fitted(corners, solid.spacing, &faces).map(whole);
+            }
+            Some(Clamp::Disc(disc)) => return rows(corners, disc, solid.spacing),
+            Some(Clamp::Region(_)) => {}
         }
-        let body = block(lower, upper, counts, &faces)?;
-        return Ok((body.particles, body.spacing));
     }
     let mut particles = SolidParticles::new();
     let volume = T::of(solid.spacing * solid.spacing);
@@ -48,27 +44,57 @@ pub(super) fn particles<T: Real>(
     Ok((particles, Vector::repeat(T::of(solid.spacing))))
 }
 
-fn face(side: Side) -> Face {
-    match side {
-        Side::Left => Face::lower(0),
-        Side::Right => Face::upper(0),
-        Side::Bottom => Face::lower(1),
-        Side::Top => Face::upper(1),
+/// A box whose spacing is fitted to it, with its first particles exactly on the faces.
+fn fitted<T: Real>(
+    Corners { lower, upper }: &Corners,
+    spacing: f64,
+    faces: &[Face],
+) -> Result<Body<T, 2>, SolidError> {
+    let (lower, upper) = (vector(lower), vector(upper));
+    // As many as fit, not the two at least that `counts` gives: a thin body is to be refused.
+    let mut counts = counts(&lower, &upper, T::of(spacing), faces);
+    for axis in 0..2 {
+        let cells = ((upper[axis] - lower[axis]) / T::of(spacing)).to_double();
+        counts[axis] = if cells < 1.5 { 1 } else { counts[axis] };
     }
+    block(lower, upper, counts, faces)
 }
 
-/// The body with its velocities at the start.
+fn whole<T: Real>(block: Body<T, 2>) -> (SolidParticles<T, 2>, Vector<T, 2>) {
+    (block.particles, block.spacing)
+}
+
+/// A box whose rows begin on a disc at its left end, and are held there.
+pub(super) fn rows<T: Real>(
+    corners: &Corners,
+    disc: &Disc,
+    spacing: f64,
+) -> Result<(SolidParticles<T, 2>, Vector<T, 2>), SolidError> {
+    let block = fitted(corners, spacing, &[face(Side::Left)])?;
+    let (lower, upper) = (vector(&corners.lower), vector(&corners.upper));
+    // The check has let pass discs that reach all rows.
+    let start = |y: f64| disc.right_of(y).unwrap_or(corners.lower[0]);
+    Ok((begin_at(&block, &lower, &upper, start), block.spacing))
+}
+
+fn face(side: Side) -> Face {
+    if side.is_upper() { Face::upper(side.axis()) } else { Face::lower(side.axis()) }
+}
+
+/// The body with its velocities at the start, in a fluid of this background pressure \[Pa\].
 pub(super) fn body<T: Real>(
     description: &Description,
+    background: f64,
     parallel: &Parallel,
-) -> Result<Solid<T, 2, Law<T>>, Failure> {
+) -> Result<Solid<T, 2, Ambient<Law<T>, T>>, Failure> {
     let (particles, spacing) = particles(description)?;
     let held: Vec<bool> = (0..particles.ids().len()).map(|i| particles.is_clamped(i)).collect();
+    let pressure = T::of(description.ambient_pressure.unwrap_or(background));
     let mut solid = Solid::new(
         particles,
         spacing,
         T::of(description.density),
-        Law::new(&description.material)?,
+        Ambient { material: Law::new(&description.material)?, pressure },
         WendlandC2,
         SolidConfig::default(),
         parallel,

@@ -49,6 +49,7 @@ pub fn diagnose(
     speeds(scene, source, layout, &mut found);
     support(scene, source, layout, &mut found);
     contacts(scene, source, layout, parallel, &mut found)?;
+    openings(scene, source, layout, parallel, &mut found)?;
     bodies_apart(scene, source, layout, parallel, &mut found)?;
     Ok(found)
 }
@@ -99,7 +100,19 @@ fn contacts(
         spacing: solid.spacing,
         name: &solid.name,
     });
-    let rigid: Vec<Part> = walls.chain(solids).collect();
+    let fixed = scene.fixed.iter().zip(&layout.fixed).enumerate().map(|(k, (body, points))| Part {
+        key: format!("fixed[{k}].region"),
+        places: points.places.clone(),
+        spacing: points.spacing,
+        name: &body.name,
+    });
+    let behind = layout.behind.iter().map(|behind| Part {
+        key: behind.key.clone(),
+        places: behind.places.clone(),
+        spacing: l0,
+        name: "what lies behind an opening",
+    });
+    let rigid: Vec<Part> = walls.chain(solids).chain(fixed).chain(behind).collect();
     for (k, body) in bodies.iter().enumerate() {
         for other in bodies[k + 1..].iter().chain(&rigid) {
             let unit = 0.5 * (body.spacing + other.spacing);
@@ -126,6 +139,57 @@ fn contacts(
     Ok(())
 }
 
+/// An opening has fluid on its inner side, and walls beside what lies behind it.
+fn openings(
+    scene: &SceneFile,
+    source: &Source,
+    layout: &Layout,
+    parallel: &Parallel,
+    found: &mut Diagnosis,
+) -> Result<(), Failure> {
+    let Some(fluid) = &scene.fluid else { return Ok(()) };
+    let l0 = fluid.spacing;
+    let water: Vec<Place> = layout.fluid.iter().flatten().copied().collect();
+    let points = || {
+        layout
+            .walls
+            .iter()
+            .zip(&scene.walls)
+            .flat_map(|(parts, wall)| parts.iter().map(|part| (part, wall.fineness * l0)))
+    };
+    for behind in &layout.behind {
+        if nearest(&water, &behind.places, GAP * l0, parallel)?.is_none() {
+            let remedy = "let a body of fluid begin at its plane, on the side where the fluid comes from (outlet) or goes to (inlet)";
+            found.refusals.push(source.problem(&behind.key, "has no fluid before it", remedy));
+        }
+        for (part, spacing) in points() {
+            let unit = 0.5 * (spacing + l0);
+            if let Some(near) = nearest(&behind.places, &part.places, OVERLAP * unit, parallel)? {
+                let [x, y] = near.place;
+                let what = format!("has a wall behind it near ({x:.4}, {y:.4})");
+                found.refusals.push(source.problem(
+                    &behind.key,
+                    what,
+                    "leave what lies behind the plane free of walls",
+                ));
+            }
+        }
+        for [x, y] in behind.ends {
+            let beside = points().any(|(part, spacing)| {
+                let reach = GAP * 0.5 * (spacing + l0);
+                part.places.iter().any(|[a, b]| (a - x).hypot(b - y) < reach)
+            });
+            if !beside {
+                let what = format!("has no wall beside it near ({x:.4}, {y:.4})");
+                let remedy =
+                    format!("let the walls on both sides go on {:.3e} m behind its plane", behind.depth);
+                found.warnings.push(source.problem(&behind.key, what, remedy));
+            }
+        }
+    }
+    Ok(())
+}
+
 /// Bodies know nothing of each other: they would pass through one another.
 fn bodies_apart(
     scene: &SceneFile,
@@ -143,6 +207,19 @@ fn bodies_apart(
                 let [x, y] = near.place;
                 let what = format!("overlaps the body {} near ({x:.4}, {y:.4})", other.name);
                 let remedy = "move one of them, or make one body of both (union)";
+                found.refusals.push(source.problem(&format!("solids[{k}].region"), what, remedy));
+            }
+        }
+    }
+    // What is held may be held in a fixed body; what moves would pass through it.
+    for (k, (solid, points)) in &bodies {
+        let moving: Vec<Place> = points.iter().filter(|(_, held)| !held).map(|(place, _)| *place).collect();
+        for (other, fixed) in scene.fixed.iter().zip(&layout.fixed) {
+            let reach = OVERLAP * 0.5 * (solid.spacing + fixed.spacing);
+            if let Some(near) = nearest(&moving, &fixed.places, reach, parallel)? {
+                let [x, y] = near.place;
+                let what = format!("overlaps the fixed body {} near ({x:.4}, {y:.4})", other.name);
+                let remedy = "move one of them: only particles that are held may be in a fixed body";
                 found.refusals.push(source.problem(&format!("solids[{k}].region"), what, remedy));
             }
         }
@@ -173,6 +250,9 @@ fn thickness(scene: &SceneFile, source: &Source, found: &mut Diagnosis) {
     for (k, solid) in scene.solids.iter().enumerate() {
         parting(thinnest(&solid.region), &format!("solids[{k}].region"));
     }
+    for (k, body) in scene.fixed.iter().enumerate() {
+        parting(thinnest(&body.region), &format!("fixed[{k}].region"));
+    }
     for (k, solid) in scene.solids.iter().enumerate() {
         let across = thinnest(&solid.region) / solid.spacing;
         found.across.push(across);
@@ -201,7 +281,8 @@ fn speeds(scene: &SceneFile, source: &Source, layout: &Layout, found: &mut Diagn
     let fall = heights().fold(f64::NEG_INFINITY, f64::max) - lowest;
     let falling = (2.0 * g * fall.max(0.0)).sqrt();
     let thrown = fluid.bodies.iter().map(|body| super::vector::<f64>(&body.velocity).norm());
-    let speed = thrown.fold(0.0, f64::max).hypot(falling);
+    let entering = fluid.inlets.iter().map(|inlet| inlet.mean_speed * inlet.profile.largest());
+    let speed = thrown.chain(entering).fold(0.0, f64::max).hypot(falling);
     let (sound, mach) = (fluid.sound(), speed / fluid.sound());
     found.mach = Some(mach);
     let key = if fluid.sound_speed.is_some() { "fluid.sound_speed" } else { "fluid.expected_speed" };

@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 /// Width of the pictures \[pixels\].
 const WIDTH: u32 = 1100;
 const GREY: [u8; 3] = [150, 150, 150];
+const DARK: [u8; 3] = [60, 60, 60];
 /// Frames of the film in a second.
 const RATE: u16 = 20;
 
@@ -40,6 +41,10 @@ impl Fields {
         if let Some(fluid) = world.fluid() {
             let walls = &fluid.boundary().position[..fluid.boundary().reactive().start];
             writer("walls")?.write(0.0, &PointCloud::new(walls))?;
+        }
+        for (body, described) in world.fixed().zip(&scene.fixed) {
+            let cloud = PointCloud::new(body.positions());
+            writer(&format!("fixed {}", described.name))?.write(0.0, &cloud)?;
         }
         let output = &scene.output;
         let solid_names = scene.solids.iter().map(|solid| writer(&format!("solid {}", solid.name)));
@@ -143,6 +148,10 @@ impl Fields {
             let kilo = T::of(1e-3);
             let pressure: Vec<T> = particles.pressure.iter().map(|&p| p * kilo).collect();
             let range = (0.0, 1e-3 * self.pressure_scale);
+            for body in world.fixed() {
+                let radius = 0.6 * body.spacing().to_double();
+                drawn = drawn.plain(body.positions(), radius, DARK);
+            }
             drawn = drawn.plain(&boundary.position[..boundary.reactive().start], radius, GREY).layer(
                 &particles.position,
                 radius,

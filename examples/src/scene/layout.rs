@@ -1,10 +1,12 @@
 //! All points of a scene, before any physics.
 
 use super::bodies::particles;
+use super::fixed::FixedPoints;
 use super::lattice::{Place, fill};
 use super::line::along;
+use super::openings::{Behind, behind};
 use mps_io::scene_file::{Problem, SceneError, SceneFile, Shape, Source, Wall};
-use mps_kernel::Real;
+use mps_solid::SolidError;
 
 /// Points of a scene, part by part in the order of its file.
 #[derive(Clone, Debug, Default)]
@@ -15,6 +17,10 @@ pub struct Layout {
     pub walls: Vec<Vec<Points>>,
     /// Particles of each elastic body \[m\], and whether each is held.
     pub solids: Vec<Vec<(Place, bool)>>,
+    /// Points of each fixed body.
+    pub fixed: Vec<FixedPoints>,
+    /// What lies behind each opening, inlets first.
+    pub behind: Vec<Behind>,
 }
 
 /// Points of a wall that stand for the same volume each.
@@ -39,6 +45,13 @@ impl Layout {
             layout.fluid = fluid.bodies.iter().map(|body| fill(&body.region, l0)).collect();
             let depth = fluid.numerics.radius * l0;
             layout.walls = scene.walls.iter().map(|wall| wall_points(wall, l0, depth)).collect();
+            layout.behind = behind(fluid);
+            for (k, body) in scene.fixed.iter().enumerate() {
+                match FixedPoints::new(body, fluid) {
+                    Ok(points) => layout.fixed.push(points),
+                    Err(error) => problems.push(no_body(source, &format!("fixed[{k}]"), &error)),
+                }
+            }
         }
         for (k, solid) in scene.solids.iter().enumerate() {
             match particles::<f64>(solid) {
@@ -50,11 +63,7 @@ impl Layout {
                         .map(|(i, x)| ([x[0], x[1]], particles.is_clamped(i)))
                         .collect(),
                 ),
-                Err(error) => problems.push(source.problem(
-                    &format!("solids[{k}].spacing"),
-                    "makes no body",
-                    error.to_string(),
-                )),
+                Err(error) => problems.push(no_body(source, &format!("solids[{k}]"), &error)),
             }
         }
         problems.extend(layout.empty_parts(source));
@@ -66,11 +75,13 @@ impl Layout {
         let fluid = self.fluid.iter().map(Vec::len).enumerate();
         let walls = self.walls.iter().map(|wall| wall.iter().map(|p| p.places.len()).sum()).enumerate();
         let solids = self.solids.iter().map(Vec::len).enumerate();
+        let fixed = self.fixed.iter().map(|body| body.places.len()).enumerate();
         let named = |what: &'static str| move |(k, count): (usize, usize)| (format!("{what}[{k}]"), count);
         let parts = fluid
             .map(named("fluid.bodies"))
             .chain(walls.map(named("walls")))
-            .chain(solids.map(named("solids")));
+            .chain(solids.map(named("solids")))
+            .chain(fixed.map(named("fixed")));
         parts
             .filter(|(_, count)| *count == 0)
             .map(|(key, _)| {
@@ -90,10 +101,19 @@ impl Layout {
         self.walls.iter().flatten().map(|points| points.places.len()).sum()
     }
 
+    /// Number of points of the fixed bodies.
+    pub fn fixed_len(&self) -> usize {
+        self.fixed.iter().map(|body| body.places.len()).sum()
+    }
+
     /// Number of particles of the elastic bodies.
     pub fn solids_len(&self) -> usize {
         self.solids.iter().map(Vec::len).sum()
     }
+}
+
+fn no_body(source: &Source, key: &str, error: &SolidError) -> Problem {
+    source.problem(&format!("{key}.spacing"), "makes no body", error.to_string())
 }
 
 fn wall_points(wall: &Wall, l0: f64, depth: f64) -> Vec<Points> {
@@ -110,9 +130,4 @@ fn wall_points(wall: &Wall, l0: f64, depth: f64) -> Vec<Points> {
         .into_iter()
         .map(|side| Points { places: side.points, volume: side.area / (l0 * l0) })
         .collect()
-}
-
-/// Places as vectors of the number type of the run.
-pub(super) fn vectors<T: Real>(places: &[Place]) -> Vec<mps_kernel::Vector<T, 2>> {
-    places.iter().map(|place| super::vector(place)).collect()
 }

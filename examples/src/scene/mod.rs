@@ -5,18 +5,20 @@
 //! | `lattice`, `line` | points that fill regions and lie along walls |
 //! | `layout` | all points of a scene, before any physics |
 //! | `law`, `viscosity` | materials and viscosities by name |
-//! | `water`, `bodies`, `movers` | fluid, elastic bodies, moved walls |
+//! | `water`, `openings`, `bodies`, `fixed`, `movers` | fluid, where it enters and leaves, elastic and rigid bodies, moved walls |
 //! | `world` | what is stepped: fluid with bodies, or bodies alone |
 //! | `clearance`, `diagnosis` | what is wrong with a scene that can be seen before it runs |
 //! | `probes`, `observer`, `fields`, `report` | what is measured, written, and said |
 //! | `run`, `watched` | the run, with all that watches it |
 //! | `keeper`, `resume` | its checkpoints, and how it goes on from one |
-//! | `plan` | what a run will cost |
+//! | `plan`, `plot` | what a run will cost, and the plots of one made before |
+//! | `print` | the scene that a program describes instead of running it |
 
 mod bodies;
 mod clearance;
 mod diagnosis;
 mod fields;
+mod fixed;
 mod keeper;
 mod lattice;
 mod law;
@@ -24,7 +26,10 @@ mod layout;
 mod line;
 mod movers;
 mod observer;
+mod openings;
 mod plan;
+mod plot;
+mod print;
 mod probes;
 mod report;
 mod resume;
@@ -35,15 +40,24 @@ mod water;
 mod world;
 
 pub use diagnosis::{Diagnosis, diagnose};
+pub use fixed::FixedPoints;
 pub use law::Law;
 pub use layout::Layout;
+pub use openings::Behind;
 pub use plan::plan;
+pub use plot::{Drawing, plot};
+pub use print::print_scene;
 pub use resume::resume;
 pub use run::run;
 pub use viscosity::Viscous;
 pub use world::World;
 
 use mps_kernel::{Real, Vector};
+
+/// Places as vectors of the number type of the run.
+fn vectors<T: Real>(places: &[lattice::Place]) -> Vec<Vector<T, 2>> {
+    places.iter().map(|place| vector(place)).collect()
+}
 
 /// The number type of a run for a point of a scene file, whose dimension has been checked.
 fn vector<T: Real>(point: &[f64]) -> Vector<T, 2> {

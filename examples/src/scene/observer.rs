@@ -23,6 +23,11 @@ const COLUMNS: [&str; 10] = [
     "sub-steps [-]",
 ];
 
+/// Number of columns of the time and the probes, in a table with these names.
+pub(super) fn measured(names: &[String]) -> usize {
+    names.len().saturating_sub(COLUMNS.len())
+}
+
 /// The record of a run.
 pub(super) struct Observer<T: Real> {
     path: PathBuf,
@@ -64,7 +69,7 @@ impl<T: Real> Observer<T> {
         dt: f64,
     ) -> Result<(), Failure> {
         let mut row = vec![world.time()];
-        self.probes.iter().for_each(|probe| probe.measure(world, &mut row));
+        self.probes.iter_mut().for_each(|probe| probe.measure(world, &mut row));
         let (fluid, solid) = world.energy(parallel);
         let work = world.coupled().map_or(0.0, |scene| scene.budget().work.to_double());
         row.extend([
@@ -86,8 +91,9 @@ impl<T: Real> Observer<T> {
 
     /// Saves how many rows there are, or goes back to those there were.
     pub(super) fn transfer(&mut self, transfer: &mut Transfer<'_>) {
-        let Self { path, csv, probes: _, names: _, measured: _, rows } = self;
+        let Self { path, csv, probes, names: _, measured: _, rows } = self;
         csv.transfer(transfer);
+        probes.iter_mut().for_each(|probe| probe.transfer(transfer));
         if transfer.is_restoring() && transfer.is_good() {
             match CsvTable::read(&*path) {
                 // The numbers of the table have the bits of those that were written.
@@ -104,6 +110,14 @@ impl<T: Real> Observer<T> {
     /// Forces the rows to the disk.
     pub(super) fn sync(&self) -> Result<(), Failure> {
         Ok(self.csv.sync()?)
+    }
+
+    /// The record as a table.
+    pub(super) fn table(&self) -> CsvTable {
+        CsvTable {
+            names: self.names.clone(),
+            columns: (0..self.names.len()).map(|k| self.column(k)).collect(),
+        }
     }
 
     /// A column of the record.

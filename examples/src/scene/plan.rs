@@ -2,8 +2,8 @@
 
 use super::{Diagnosis, Layout, World};
 use crate::{Common, Failure, Precision};
-use mps_io::scene_file::{Diffusion, SceneFile, Viscosity, Weight};
-use mps_kernel::weights::{Rational, WendlandGradient};
+use mps_io::scene_file::{Diffusion, PressureForm, SceneFile, Viscosity, Weight};
+use mps_kernel::weights::{Rational, WendlandC2, WendlandGradient};
 use mps_kernel::{Kernel, Real};
 use mps_neighbors::Parallel;
 use std::fmt::Write;
@@ -42,6 +42,7 @@ fn with_weight<T: Real>(
 ) -> Result<String, Failure> {
     match scene.fluid.as_ref().map(|fluid| fluid.numerics.weight) {
         Some(Weight::Rational) => whole::<T, _>(scene, layout, diagnosis, common, Rational),
+        Some(Weight::Wendland) => whole::<T, _>(scene, layout, diagnosis, common, WendlandC2),
         Some(Weight::Smooth) | None => whole::<T, _>(scene, layout, diagnosis, common, WendlandGradient),
     }
 }
@@ -88,7 +89,12 @@ fn measure<T: Real, K: Kernel<T>>(world: &mut World<T, K>, parallel: &Parallel) 
 // Writing into a String cannot fail, here and below.
 fn particles(text: &mut String, scene: &SceneFile, layout: &Layout, diagnosis: &Diagnosis) {
     let (fluid, walls, solids) = (layout.fluid_len(), layout.walls_len(), layout.solids_len());
-    let _ = writeln!(text, "particles      {fluid} of fluid, {walls} of walls, {solids} of bodies");
+    let fixed = if scene.fixed.is_empty() {
+        String::new()
+    } else {
+        format!(", {} of fixed bodies", layout.fixed_len())
+    };
+    let _ = writeln!(text, "particles      {fluid} of fluid, {walls} of walls, {solids} of bodies{fixed}");
     for (solid, across) in scene.solids.iter().zip(&diagnosis.across) {
         let _ = writeln!(text, "               {across:.1} across the thinnest side of {}", solid.name);
     }
@@ -104,15 +110,20 @@ fn physics(text: &mut String, scene: &SceneFile) {
     if let Some(fluid) = &scene.fluid {
         let numerics = &fluid.numerics;
         say(matches!(fluid.viscosity, Viscosity::Artificial(alpha) if alpha > 0.0), "artificial viscosity");
-        say(matches!(fluid.viscosity, Viscosity::Laminar(nu) if nu > 0.0), "laminar viscosity");
+        let laminar = matches!(fluid.viscosity, Viscosity::Laminar(nu) | Viscosity::Compact(nu) if nu > 0.0);
+        say(laminar, "laminar viscosity");
         say(numerics.diffusion != Diffusion::None, "density diffusion");
         say(numerics.collisions, "collisions (DPC)");
         say(numerics.shifting > 0, "shifting (icPS)");
         say(numerics.background_pressure > 0.0, "background pressure");
+        say(numerics.pressure_form == PressureForm::Corrected, "corrected sums");
+        say(numerics.density_relaxation > 0.0, "density relaxation");
+        say(!scene.fixed.is_empty(), "fixed bodies");
+        say(!(fluid.inlets.is_empty() && fluid.outlets.is_empty()), "inlets and outlets");
     } else {
         say(false, "fluid");
     }
-    for absent in ["contact of bodies", "surface tension", "turbulence model", "inlets and outlets"] {
+    for absent in ["contact of bodies", "surface tension", "turbulence model"] {
         say(false, absent);
     }
     let _ = writeln!(text, "active         {}", on.join(", "));
@@ -159,7 +170,7 @@ fn limits<T: Real, K: Kernel<T>>(
     let nu = match description.viscosity {
         Viscosity::None => 0.0,
         Viscosity::Artificial(alpha) => alpha * c * l0 / 8.0,
-        Viscosity::Laminar(nu) => nu,
+        Viscosity::Laminar(nu) | Viscosity::Compact(nu) => nu,
     };
     [
         (cfl * l0 / (fastest + c), "sound"),

@@ -4,7 +4,7 @@ use super::{World, vector};
 use crate::{Failure, GAP, connected};
 use mps_io::scene_file::{Measure, Probe as Description, SceneFile, Way};
 use mps_kernel::weights::WendlandC2;
-use mps_kernel::{Kernel, Real, Vector};
+use mps_kernel::{Kernel, Real, Transfer, Vector};
 use mps_solid::MaterialPoint;
 
 /// How far around a place the pressure is taken from, in spacings.
@@ -18,9 +18,22 @@ pub(super) struct Probe<T: Real> {
 
 enum Sense<T: Real> {
     Pressure(Vector<T, 2>),
-    Front { start: [f64; 2], height: f64, sign: f64 },
+    Front {
+        start: [f64; 2],
+        height: f64,
+        sign: f64,
+    },
     Level([f64; 2]),
-    Displacement { solid: usize, point: MaterialPoint<T, 2> },
+    Displacement {
+        solid: usize,
+        point: MaterialPoint<T, 2>,
+    },
+    /// Mean force on structures since the row before, of which it keeps impulse and time.
+    Force {
+        bodies: Vec<usize>,
+        impulse: [f64; 2],
+        time: f64,
+    },
 }
 
 impl<T: Real> Probe<T> {
@@ -51,6 +64,15 @@ impl<T: Real> Probe<T> {
                 let solid = world.solid(number).ok_or("a probe names a body that is not there")?;
                 Sense::Displacement { solid: number, point: solid.point(vector(&displacement.at))? }
             }
+            Measure::Force(force) => {
+                // The order in which a world has its structures.
+                let solids = scene.solids.iter().map(|solid| &solid.name);
+                let names: Vec<_> = solids.chain(scene.fixed.iter().map(|body| &body.name)).collect();
+                let number = |name| names.iter().position(|known| *known == name);
+                let bodies: Option<Vec<usize>> = force.on.iter().map(number).collect();
+                let bodies = bodies.ok_or("a probe names a body that is not there")?;
+                Sense::Force { bodies, impulse: [0.0; 2], time: f64::NEG_INFINITY }
+            }
         };
         Ok(Self { name: probe.name.clone(), sense })
     }
@@ -62,11 +84,28 @@ impl<T: Real> Probe<T> {
             Sense::Pressure(_) => vec![format!("{name} [Pa]")],
             Sense::Front { .. } | Sense::Level(_) => vec![format!("{name} [m]")],
             Sense::Displacement { .. } => vec![format!("{name} x [m]"), format!("{name} y [m]")],
+            Sense::Force { .. } => vec![format!("{name} x [N/m]"), format!("{name} y [N/m]")],
+        }
+    }
+
+    /// Saves or restores what it remembers of the row before.
+    pub(super) fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        if let Sense::Force { bodies: _, impulse, time } = &mut self.sense {
+            transfer.array("impulse", impulse);
+            transfer.value("time", time);
         }
     }
 
     /// Appends its present values to a row.
-    pub(super) fn measure<K: Kernel<T>>(&self, world: &World<T, K>, row: &mut Vec<f64>) {
+    pub(super) fn measure<K: Kernel<T>>(&mut self, world: &World<T, K>, row: &mut Vec<f64>) {
+        if let Sense::Force { bodies, impulse, time } = &mut self.sense {
+            let since = world.time() - *time;
+            let all = bodies.iter().filter_map(|body| world.coupled()?.impulse(*body));
+            let now: [f64; 2] = all.fold(Vector::zeros(), |sum, one| sum + one.map(Real::to_double)).into();
+            row.extend([0, 1].map(|axis| (now[axis] - impulse[axis]) / since));
+            (*impulse, *time) = (now, world.time());
+            return;
+        }
         if let Sense::Displacement { solid, point } = &self.sense {
             let moved = world.solid(*solid).map(|solid| point.value(solid.positions()) - point.reference());
             row.extend(moved.unwrap_or_default().iter().map(|x| x.to_double()));
@@ -78,7 +117,7 @@ impl<T: Real> Probe<T> {
             Sense::Pressure(at) => mean_around(at, l0, positions, &fluid.particles().pressure),
             Sense::Front { start, height, sign } => front(positions, l0, *start, *height, *sign),
             Sense::Level(foot) => level(positions, l0, *foot),
-            Sense::Displacement { .. } => 0.0,
+            Sense::Displacement { .. } | Sense::Force { .. } => 0.0,
         });
     }
 }

@@ -5,31 +5,35 @@ use super::observer::Observer;
 use crate::Failure;
 use crate::series::extremes;
 use mps_io::scene_file::SceneFile;
-use mps_io::{CurvePlot, Metric, Summary};
+use mps_io::{CsvTable, CurvePlot, Metric, Summary};
 use mps_kernel::Real;
 use std::path::Path;
 
-/// A curve of every probe, and of the energies.
-pub(super) fn plots<T: Real>(dir: &Path, scene: &SceneFile, observer: &Observer<T>) -> Result<(), Failure> {
-    let time = observer.column(0);
-    for k in 1..observer.measured {
-        let name = &observer.names[k];
-        let file = name.split(" [").next().unwrap_or(name).replace(' ', "_");
-        CurvePlot::new(&scene.title, "time [s]", name)
-            .line(name, &time, &observer.column(k))
+/// A curve of every probe, the first `measured` columns, and one of the energies, the rest.
+pub(super) fn plots(dir: &Path, title: &str, table: &CsvTable, measured: usize) -> Result<(), Failure> {
+    let CsvTable { names, columns } = table;
+    let time = &columns[0];
+    for k in 1..measured {
+        let name = &names[k];
+        let file = name.split(" [").next().unwrap_or(name).replace([' ', '/'], "_");
+        CurvePlot::new(title, &names[0], name)
+            .line(name, time, &columns[k])
             .write_png(dir.join(format!("probe_{file}.png")))?;
     }
     // Where zero of a potential lies has no meaning: what counts is the change.
-    let mut energies = CurvePlot::new(&scene.title, "time [s]", "energy since the start [J/m]");
-    for k in observer.measured..observer.names.len() {
-        let (name, mut column) = (&observer.names[k], observer.column(k));
+    let mut energies = CurvePlot::new(title, &names[0], "energy since the start [J/m]");
+    for (name, column) in names.iter().zip(columns).skip(measured) {
+        let mut column = column.clone();
         let start = column.first().copied().unwrap_or(0.0);
         column.iter_mut().for_each(|value| *value -= start);
         if name.ends_with("[J/m]") && column.iter().any(|value| *value != 0.0) {
-            energies = energies.line(name.trim_end_matches(" [J/m]"), &time, &column);
+            energies = energies.line(name.trim_end_matches(" [J/m]"), time, &column);
         }
     }
-    Ok(energies.write_png(dir.join("energies.png"))?)
+    if measured < names.len() {
+        energies.write_png(dir.join("energies.png"))?;
+    }
+    Ok(())
 }
 
 /// Settings and results; what the run has cost is entered later.
@@ -45,6 +49,9 @@ pub(super) fn summary<T: Real>(
     summary.particles.insert("fluid".into(), layout.fluid_len() as u64);
     summary.particles.insert("wall".into(), layout.walls_len() as u64);
     summary.particles.insert("structure".into(), layout.solids_len() as u64);
+    if !scene.fixed.is_empty() {
+        summary.particles.insert("fixed".into(), layout.fixed_len() as u64);
+    }
     for k in 1..observer.measured {
         let column = observer.column(k);
         let (name, unit) = observer.names[k].rsplit_once(" [").unwrap_or((&observer.names[k], "-]"));

@@ -9,7 +9,7 @@ use super::{Layout, World, report};
 use crate::{Common, Cost, Failure, Precision, conclude, record};
 use mps_io::checkpoint::{Identity, Rotation};
 use mps_io::scene_file::{SceneFile, Weight};
-use mps_kernel::weights::{Rational, WendlandGradient};
+use mps_kernel::weights::{Rational, WendlandC2, WendlandGradient};
 use mps_kernel::{Kernel, Real, State};
 use std::path::Path;
 
@@ -67,6 +67,7 @@ pub(super) fn run_plan(plan: Plan<'_>, from: Origin<'_>) -> Result<(), Failure> 
 fn with_weight<T: Real>(plan: Plan<'_>, from: Origin<'_>) -> Result<(), Failure> {
     match plan.scene.fluid.as_ref().map(|fluid| fluid.numerics.weight) {
         Some(Weight::Rational) => whole::<T, _>(plan, Rational, from),
+        Some(Weight::Wendland) => whole::<T, _>(plan, WendlandC2, from),
         // Without a fluid any weight will do.
         Some(Weight::Smooth) | None => whole::<T, _>(plan, WendlandGradient, from),
     }
@@ -97,13 +98,13 @@ fn whole<T: Real, K: Kernel<T>>(plan: Plan<'_>, weight: K, from: Origin<'_>) -> 
     })?;
 
     // Whatever happened, what has been computed is kept.
-    report::plots(&dir, scene, &observer)?;
+    report::plots(&dir, &scene.title, &observer.table(), observer.measured)?;
     let cost = Cost {
         threads: parallel.threads(),
         steps: world.steps(),
         seconds,
         simulated: world.time(),
-        particles: layout.fluid_len() + layout.solids_len(),
+        particles: world.fluid().map_or(0, |fluid| fluid.particles().position.len()) + layout.solids_len(),
     };
     let mut summary = report::summary(name, scene, layout, &observer);
     cost.enter(&mut summary, common, done.as_ref().err());

@@ -1,6 +1,6 @@
 //! The viscosity of a scene file.
 
-use mps_fluid::{ArtificialViscosity, LaminarViscosity, Viscosity};
+use mps_fluid::{ArtificialViscosity, CompactViscosity, LaminarViscosity, Viscosity};
 use mps_io::scene_file;
 use mps_kernel::{Number, Pair, Real, ReferenceDensity, Vector};
 
@@ -13,6 +13,8 @@ pub enum Viscous<T> {
     Artificial(ArtificialViscosity<T>),
     /// Laminar viscosity.
     Laminar(LaminarViscosity<T>),
+    /// Laminar viscosity between near neighbours.
+    Compact(CompactViscosity<T>),
 }
 
 impl<T: Real> Viscous<T> {
@@ -25,6 +27,9 @@ impl<T: Real> Viscous<T> {
             }
             scene_file::Viscosity::Laminar(nu) => {
                 Self::Laminar(LaminarViscosity::new::<2>(T::of(nu), reference))
+            }
+            scene_file::Viscosity::Compact(nu) => {
+                Self::Compact(CompactViscosity::new::<2>(T::of(nu), reference))
             }
         }
     }
@@ -43,6 +48,7 @@ impl<T: Real, const D: usize> Viscosity<T, D> for Viscous<T> {
             Self::None => {}
             Self::Artificial(viscosity) => viscosity.add(sum, pair, ui, uj),
             Self::Laminar(viscosity) => viscosity.add(sum, pair, ui, uj),
+            Self::Compact(viscosity) => viscosity.add(sum, pair, ui, uj),
         }
     }
 
@@ -51,6 +57,7 @@ impl<T: Real, const D: usize> Viscosity<T, D> for Viscous<T> {
             Self::None => T::zero(),
             Self::Artificial(viscosity) => Viscosity::<T, D>::kinematic(viscosity),
             Self::Laminar(viscosity) => Viscosity::<T, D>::kinematic(viscosity),
+            Self::Compact(viscosity) => Viscosity::<T, D>::kinematic(viscosity),
         }
     }
 }

@@ -1,8 +1,9 @@
 //! Fluid and walls from their description.
 
-use super::layout::{Layout, vectors};
+use super::layout::Layout;
 use super::movers::Mover;
-use super::{Viscous, vector};
+use super::openings::{inlet, outlet};
+use super::{Viscous, vector, vectors};
 use crate::{Failure, released_column};
 use mps_fluid as physics;
 use mps_fluid::{Boundary, Dpc, EquationOfState, FluidConfig, FluidParticles, Shifting};
@@ -41,6 +42,7 @@ pub(super) fn config<T: Real>(fluid: &Fluid, gravity: &[f64]) -> FluidConfig<T, 
             PressureForm::Corrected => physics::PressureForm::Corrected,
         },
         collisions: numerics.collisions.then(Dpc::default),
+        density_relaxation: T::of(numerics.density_relaxation),
         shifting: (numerics.shifting > 0)
             .then(|| Shifting { iterations: numerics.shifting, ..Shifting::default() }),
         ..FluidConfig::water(T::of(fluid.spacing), T::of(fluid.sound()))
@@ -87,7 +89,14 @@ pub(super) fn water<T: Real, K: Kernel<T>>(
     }
     let sound = config.sound_speed;
     let viscosity = |reference: &_| Viscous::new(&fluid.viscosity, sound, reference);
-    Ok((physics::Fluid::new(config, weight, viscosity, Open, particles, boundary)?, movers))
+    let mut filled = physics::Fluid::new(config, weight, viscosity, Open, particles, boundary)?;
+    for described in &fluid.inlets {
+        filled.add_inlet(inlet(described))?;
+    }
+    for described in &fluid.outlets {
+        filled.add_outlet(outlet(described, fluid.numerics.background_pressure))?;
+    }
+    Ok((filled, movers))
 }
 
 /// Pressure above the background \[Pa\] at the start.

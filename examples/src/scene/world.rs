@@ -12,9 +12,13 @@ use mps_io::scene_file::SceneFile;
 use mps_kernel::{Kernel, Real, Transfer, Vector};
 use mps_neighbors::Parallel;
 use mps_solid::Solid;
+use mps_solid::materials::Ambient;
+
+/// What the elastic bodies of a scene are made of.
+pub(super) type Rubber<T> = Ambient<Law<T>, T>;
 
 /// An elastic body of a scene.
-pub(super) type Elastic<T> = ElasticBody<T, 2, Law<T>>;
+pub(super) type Elastic<T> = ElasticBody<T, 2, Rubber<T>>;
 
 /// A scene that can be stepped.
 pub enum World<T: Real, K: Kernel<T>> {
@@ -28,6 +32,8 @@ pub enum World<T: Real, K: Kernel<T>> {
 pub struct Wet<T: Real, K: Kernel<T>> {
     scene: Scene<T, 2, K, Viscous<T>>,
     movers: Vec<Mover<T>>,
+    /// Number of elastic bodies, which come before the fixed ones.
+    elastic: usize,
     last_dt: f64,
 }
 
@@ -49,7 +55,9 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
     /// # Errors
     /// If a part refuses its numbers.
     pub fn new(scene: &SceneFile, layout: &Layout, weight: K, parallel: &Parallel) -> Result<Self, Failure> {
-        let bodies = scene.solids.iter().map(|solid| Ok(ElasticBody::new(body(solid, parallel)?)));
+        let background = scene.fluid.as_ref().map_or(0.0, |fluid| fluid.numerics.background_pressure);
+        let bodies =
+            scene.solids.iter().map(|solid| Ok(ElasticBody::new(body(solid, background, parallel)?)));
         let bodies = bodies.collect::<Result<Vec<Elastic<T>>, Failure>>()?;
         let Some(fluid) = &scene.fluid else {
             let [interval, ..] = scene.output.intervals(scene.end_time);
@@ -60,7 +68,11 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
         for (body, solid) in bodies.into_iter().zip(&scene.solids) {
             wet.add_structure(parallel, Box::new(body), slip(solid.slip))?;
         }
-        Ok(Self::Wet(Box::new(Wet { scene: wet, movers, last_dt: 0.0 })))
+        // Behind the elastic ones, whose numbers are those of the file.
+        for (points, fixed) in layout.fixed.iter().zip(&scene.fixed) {
+            wet.add_structure(parallel, Box::new(points.body()), slip(fixed.slip))?;
+        }
+        Ok(Self::Wet(Box::new(Wet { scene: wet, movers, elastic: scene.solids.len(), last_dt: 0.0 })))
     }
 
     /// One step of the fluid, or of bodies alone one interval of the table of probes; returns the length of a step
@@ -132,13 +144,22 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
     }
 
     /// Body number `k`.
-    pub fn solid(&self, k: usize) -> Option<&Solid<T, 2, Law<T>>> {
+    pub fn solid(&self, k: usize) -> Option<&Solid<T, 2, Rubber<T>>> {
         match self {
             Self::Wet(wet) => {
                 wet.scene.structure(k)?.as_any().downcast_ref::<Elastic<T>>().map(Elastic::solid)
             }
             Self::Dry(dry) => dry.bodies.get(k).map(Elastic::solid),
         }
+    }
+
+    /// The rigid bodies at rest, behind the elastic ones.
+    pub fn fixed(&self) -> impl Iterator<Item = &dyn Structure<T, 2>> {
+        let wet = match self {
+            Self::Wet(wet) => Some(wet),
+            Self::Dry(_) => None,
+        };
+        wet.into_iter().flat_map(|wet| (wet.elastic..).map_while(|k| wet.scene.structure(k)))
     }
 
     /// Energies of fluid and bodies.
@@ -153,7 +174,7 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
 impl<T: Real, K: Kernel<T>> Wet<T, K> {
     fn transfer(&mut self, parallel: &Parallel, transfer: &mut Transfer<'_>) {
         // Movers take their velocities from the time, and their places are those of the boundary.
-        let Self { scene, movers: _, last_dt } = self;
+        let Self { scene, movers: _, elastic: _, last_dt } = self;
         transfer.within("scene", |transfer| scene.transfer(parallel, transfer));
         transfer.value("last step", last_dt);
     }

@@ -1,12 +1,13 @@
 //! The flag of Turek and Hron (2006) without the water: behind a cylinder, under its own weight.
 
+use super::rows::begin_at;
 use crate::Failure;
 use mps_kernel::weights::WendlandC2;
 use mps_kernel::{Real, Vector};
 use mps_neighbors::Parallel;
 use mps_solid::body::{self, Face};
 use mps_solid::materials::SaintVenantKirchhoff;
-use mps_solid::{ConstitutiveModel, Solid, SolidConfig, SolidParticles};
+use mps_solid::{ConstitutiveModel, Solid, SolidConfig};
 
 /// Centre of the cylinder \[m\].
 pub const CYLINDER: [f64; 2] = [0.2, 0.2];
@@ -120,12 +121,7 @@ pub fn flag_of<T: Real, M: ConstitutiveModel<T, 2>>(
     let mut counts = body::counts(&lower, &upper, T::of(THICKNESS / across as f64), &held);
     counts[1] = across;
     let block = body::block(lower, upper, counts, &held)?;
-    let mut particles = SolidParticles::new();
-    for (i, x) in block.particles.reference_positions().iter().enumerate() {
-        let stretch = T::of((END[0] - clamp.start(x[1].to_double())) / LENGTH);
-        let place = Vector::from([upper[0] - (upper[0] - x[0]) * stretch, x[1]]);
-        particles.push(place, block.particles.volumes()[i] * stretch, block.particles.is_clamped(i));
-    }
+    let particles = begin_at(&block, &lower, &upper, |y| clamp.start(y));
     let config = SolidConfig::default();
     Ok(Solid::new(particles, block.spacing, T::of(density), material, WendlandC2, config, parallel)?)
 }

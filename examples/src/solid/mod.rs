@@ -5,6 +5,8 @@ pub mod flag;
 mod motion;
 mod pictures;
 pub mod plate;
+mod rows;
 
 pub use motion::{Motion, Sample};
 pub use pictures::{Look, Pictures};
+pub use rows::begin_at;

@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "each test uses what it needs")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-use mps_io::Summary;
+use mps_io::{CsvTable, Summary};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -31,4 +31,24 @@ pub(crate) fn completed(program: &str, name: &str, arguments: &[&str]) -> Summar
     let summary = Summary::read(dir.join("summary.json")).unwrap();
     assert_eq!(summary.status, "completed");
     summary
+}
+
+/// Runs a program without pictures and reads its table and its summary.
+pub(crate) fn results(program: &str, name: &str, arguments: &[&str]) -> (CsvTable, Summary) {
+    let dir = fresh("scenes", name);
+    let output = execute(program, &dir, &[arguments, &["--no-fields", "--quiet"]].concat());
+    assert!(output.status.success(), "{name}: {}", words(&output.stderr));
+    (CsvTable::read(dir.join("probes.csv")).unwrap(), Summary::read(dir.join("summary.json")).unwrap())
+}
+
+/// Two columns agree within a share of the largest value of the second.
+pub(crate) fn assert_same(a: &CsvTable, b: &CsvTable, columns: &[(&str, &str)], share: f64) {
+    for (mine, theirs) in columns {
+        let (x, y) = (a.column(mine).unwrap(), b.column(theirs).unwrap());
+        assert_eq!(x.len(), y.len(), "{mine}");
+        let largest = y.iter().fold(0.0_f64, |largest, y| largest.max(y.abs()));
+        for (k, (x, y)) in x.iter().zip(y).enumerate() {
+            assert!((x - y).abs() <= share * largest, "{mine} is {x:e} in row {k}, in the program {y:e}");
+        }
+    }
 }

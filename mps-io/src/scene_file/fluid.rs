@@ -1,5 +1,6 @@
 //! The water and the numbers it is computed with.
 
+use super::openings::{Inlet, Outlet};
 use super::region::{Point, Region};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -25,12 +26,33 @@ pub struct Fluid {
     pub viscosity: Viscosity,
     /// Where the fluid is at the start
     pub bodies: Vec<Body>,
+    /// Where fluid enters
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub inlets: Vec<Inlet>,
+    /// Where fluid leaves
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub outlets: Vec<Outlet>,
     /// How it is computed
     #[serde(default)]
     pub numerics: Numerics,
 }
 
 impl Fluid {
+    /// Water of particles this far apart \[m\], with the default numerics, and without a speed yet.
+    pub fn new(spacing: f64, bodies: Vec<Body>) -> Self {
+        Self {
+            spacing,
+            density: water(),
+            expected_speed: None,
+            sound_speed: None,
+            viscosity: Viscosity::default(),
+            bodies,
+            inlets: Vec::new(),
+            outlets: Vec::new(),
+            numerics: Numerics::default(),
+        }
+    }
+
     /// Numerical sound speed \[m/s\]; zero if the scene says nothing of it, which the check refuses.
     pub fn sound(&self) -> f64 {
         self.sound_speed.or(self.expected_speed.map(|speed| 10.0 * speed)).unwrap_or(0.0)
@@ -78,6 +100,8 @@ pub enum Viscosity {
     Artificial(f64),
     /// Laminar, with this kinematic viscosity (m2/s); water has 1e-6
     Laminar(f64),
+    /// The same between near neighbours: for boundary layers of one or two spacings, with the smooth weight
+    Compact(f64),
 }
 
 impl Default for Viscosity {
@@ -109,6 +133,9 @@ pub struct Numerics {
     pub background_pressure: f64,
     /// Form of pressure gradient and divergence
     pub pressure_form: PressureForm,
+    /// Share of the difference between density and packing that goes in the time sound takes for a spacing (-): 0.01
+    /// for fluid that fills its domain and is shifted, 0 with a free surface
+    pub density_relaxation: f64,
 }
 
 impl Default for Numerics {
@@ -123,6 +150,7 @@ impl Default for Numerics {
             tension: Tension::Clip,
             background_pressure: 0.0,
             pressure_form: PressureForm::Plain,
+            density_relaxation: 0.0,
         }
     }
 }
@@ -135,6 +163,8 @@ pub enum Weight {
     Smooth,
     /// That of the paper, re/r - 1
     Rational,
+    /// Wendland's function itself
+    Wendland,
 }
 
 /// Diffusion of the density

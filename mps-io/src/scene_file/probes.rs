@@ -26,6 +26,8 @@ pub enum Measure {
     Level(LevelProbe),
     /// Displacement of a point of a body
     Displacement(DisplacementProbe),
+    /// Force of the fluid on bodies: drag and lift
+    Force(ForceProbe),
 }
 
 /// Mean of the particles within two spacings, the near ones more; zero where there are none
@@ -76,4 +78,12 @@ pub struct DisplacementProbe {
     pub solid: String,
     /// The point in the undeformed body, at most a spacing outside (m)
     pub at: Point,
+}
+
+/// Force (N, in two dimensions N/m), one column per dimension: the mean since the row before, from the impulse handed over
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ForceProbe {
+    /// Names of the bodies, elastic or fixed, whose forces are added
+    pub on: Vec<String>,
 }

@@ -42,3 +42,26 @@ pub struct Disc {
     /// Radius (m)
     pub radius: f64,
 }
+
+impl Corners {
+    /// The box between two corners \[m\].
+    pub fn between<const D: usize>(lower: [f64; D], upper: [f64; D]) -> Self {
+        Self { lower: lower.into(), upper: upper.into() }
+    }
+}
+
+impl Region {
+    /// The box between two corners \[m\].
+    pub fn between<const D: usize>(lower: [f64; D], upper: [f64; D]) -> Self {
+        Self::Box(Corners::between(lower, upper))
+    }
+}
+
+impl Disc {
+    /// Where its line is at the height `y` \[m\], on the right of its centre; `None` above and below it.
+    pub fn right_of(&self, y: f64) -> Option<f64> {
+        let &[x, middle] = self.center.as_slice() else { return None };
+        let square = self.radius * self.radius - (y - middle) * (y - middle);
+        (square >= 0.0).then(|| x + square.sqrt())
+    }
+}

@@ -1,6 +1,7 @@
 //! A whole scene, read and written.
 
 use super::check;
+use super::fixed::Fixed;
 use super::fluid::Fluid;
 use super::output::Output;
 use super::probes::Probe;
@@ -36,6 +37,9 @@ pub struct SceneFile {
     /// Elastic bodies
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub solids: Vec<Solid>,
+    /// Rigid bodies at rest whose load is measured
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub fixed: Vec<Fixed>,
     /// What is measured besides the energies
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub probes: Vec<Probe>,
@@ -46,6 +50,24 @@ pub struct SceneFile {
 
 fn two() -> usize {
     2
+}
+
+/// Nothing yet, in two dimensions: for programs that describe a scene.
+impl Default for SceneFile {
+    fn default() -> Self {
+        Self {
+            title: String::new(),
+            dimension: two(),
+            end_time: 0.0,
+            gravity: Vec::new(),
+            fluid: None,
+            walls: Vec::new(),
+            solids: Vec::new(),
+            fixed: Vec::new(),
+            probes: Vec::new(),
+            output: Output::default(),
+        }
+    }
 }
 
 impl SceneFile {

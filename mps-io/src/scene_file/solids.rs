@@ -1,6 +1,6 @@
 //! Elastic bodies.
 
-use super::region::{Point, Region};
+use super::region::{Disc, Point, Region};
 use super::walls::Slip;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -25,6 +25,10 @@ pub struct Solid {
     /// How the fluid moves along it
     #[serde(default)]
     pub slip: Slip,
+    /// Pressure from all sides under which it has the shape that is described (Pa); the background pressure of the fluid
+    /// if left out
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ambient_pressure: Option<f64>,
     /// Velocity at the start; at rest if left out
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub velocity: Option<InitialVelocity>,
@@ -82,6 +86,8 @@ pub enum Clamp {
     Sides(Vec<Side>),
     /// All particles in this region
     Region(Region),
+    /// On this disc at the left end of a box: each row of particles is stretched until it begins on it, and is held there
+    Disc(Disc),
 }
 
 /// A side of a box
@@ -96,6 +102,21 @@ pub enum Side {
     Bottom,
     /// Upper end of y
     Top,
+}
+
+impl Side {
+    /// The axis it lies across: 0 for x, 1 for y.
+    pub fn axis(self) -> usize {
+        match self {
+            Self::Left | Self::Right => 0,
+            Self::Bottom | Self::Top => 1,
+        }
+    }
+
+    /// Whether it is the upper end of its axis.
+    pub fn is_upper(self) -> bool {
+        matches!(self, Self::Right | Self::Top)
+    }
 }
 
 /// Velocity of a body at the start

@@ -27,6 +27,13 @@ fn one() -> f64 {
     1.0
 }
 
+impl Wall {
+    /// A wall at rest that fills a region, with the spacing of the fluid.
+    pub fn filling(name: &str, region: Region, slip: Slip) -> Self {
+        Self { name: name.into(), shape: Shape::Region(region), slip, fineness: one(), motion: None }
+    }
+}
+
 /// Shape of a wall
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

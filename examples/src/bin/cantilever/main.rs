@@ -1,10 +1,12 @@
 //! Case 1: the free vibration of a clamped plate, from geometry to a curve against beam theory and finite elements.
 
 mod convergence;
+mod describe;
 mod options;
 mod report;
 
 use clap::Parser;
+use mps_examples::scene::print_scene;
 use mps_examples::solid::plate::{LENGTH, PERIOD, THICKNESS, moduli, plate, unit_of_time};
 use mps_examples::solid::{Look, Motion, Pictures};
 use mps_examples::{Failure, Precision, conclude, exit_code, record};
@@ -27,6 +29,9 @@ fn main() -> ExitCode {
 
 fn run_all(options: &Options) -> Result<(), Failure> {
     let across = options.check()?;
+    if options.print_scene {
+        return print_scene("cantilever", describe::scene(options, across)?, &options.common);
+    }
     let dir = options.common.output("cantilever")?;
     if options.convergence {
         return convergence::compare(options, &dir, |across, dir| run_with_precision(options, across, dir));

@@ -1,6 +1,7 @@
 //! Case 2: the dam break of Lobovsky et al. (2014), from the column of water to the pressure on the wall
 //! against a hundred experiments.
 
+mod describe;
 mod fields;
 mod metrics;
 mod observe;
@@ -15,6 +16,7 @@ mod stabilisers;
 
 use clap::Parser;
 use fields::Fields;
+use mps_examples::scene::print_scene;
 use mps_examples::{Cost, Failure, Precision, conclude, exit_code, record};
 use mps_io::Summary;
 use mps_kernel::weights::{Rational, WendlandGradient};
@@ -42,6 +44,10 @@ fn main() -> ExitCode {
 }
 
 fn run_all(options: &Options) -> Result<(), Failure> {
+    if options.print_scene {
+        let scene = describe::scene(options, &options.settings()?)?;
+        return print_scene("dam-break", scene, &options.common);
+    }
     if !options.stabilisers {
         let (_, done) = run_with_precision(options)?;
         return done;

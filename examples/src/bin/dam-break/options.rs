@@ -62,6 +62,9 @@ pub(crate) struct Options {
     /// Run with each stabiliser switched in turn, and write a table of what it brings and costs
     #[arg(long)]
     pub(crate) stabilisers: bool,
+    /// Print the scene file that is this run, for `mps run`, instead of running it
+    #[arg(long)]
+    pub(crate) print_scene: bool,
     #[command(flatten)]
     pub(crate) common: Common,
 }

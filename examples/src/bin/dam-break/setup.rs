@@ -187,9 +187,15 @@ fn tank<T: Real>(l0: f64, depth: f64) -> Vec<Vector<T, 2>> {
     let spacing = WALL_SPACING * l0;
     let mut points = fill([-depth, 0.0], [0.0, WALL_HEIGHT], spacing);
     // From the far wall backwards, so that its points go on in those of the wall.
-    let length = ((TANK + depth) / spacing).ceil() * spacing;
+    let length = bed_length(l0, depth);
     points.extend(fill([TANK - length, -depth], [TANK, 0.0], spacing));
     points
+}
+
+/// Length of the bed \[m\], in whole points, from the far wall to beyond the back wall, which is `depth` \[m\] thick.
+pub(crate) fn bed_length(l0: f64, depth: f64) -> f64 {
+    let spacing = WALL_SPACING * l0;
+    ((TANK + depth) / spacing).ceil() * spacing
 }
 
 /// The wall with the sensors, down to the lowest layer of the bed. Its surface is where the tank ends,

@@ -2,6 +2,7 @@
 //! experiment.
 
 mod beside;
+mod describe;
 mod fields;
 mod observe;
 mod options;
@@ -13,6 +14,7 @@ mod setup;
 use beside::Earlier;
 use clap::Parser;
 use fields::Fields;
+use mps_examples::scene::print_scene;
 use mps_examples::{Cost, Failure, Precision, conclude, exit_code, record};
 use mps_kernel::Real;
 use observe::Observer;
@@ -34,10 +36,16 @@ const SNAPSHOT_INTERVAL: f64 = 4e-2;
 fn main() -> ExitCode {
     let options = Options::parse();
     let done = match options.common.precision {
+        _ if options.print_scene => print(&options),
         Precision::F32 => run::<f32>(&options),
         Precision::F64 => run::<f64>(&options),
     };
     exit_code(done)
+}
+
+fn print(options: &Options) -> Result<(), Failure> {
+    let scene = describe::scene(options, &options.settings()?)?;
+    print_scene("elastic-gate", scene, &options.common)
 }
 
 fn run<T: Real>(options: &Options) -> Result<(), Failure> {

@@ -46,6 +46,9 @@ pub(crate) struct Options {
     /// Directory of an earlier run, to draw its curve beside this one; may be repeated
     #[arg(long, value_name = "DIR")]
     pub(crate) beside: Vec<PathBuf>,
+    /// Print the scene file that is this run, for `mps run`, instead of running it
+    #[arg(long)]
+    pub(crate) print_scene: bool,
     #[command(flatten)]
     pub(crate) common: Common,
 }

@@ -103,14 +103,18 @@ fn water<T: Real>(settings: &Settings) -> Result<Fluid<T, 2, Rational, Artificia
     Ok(Fluid::new(config, Rational, viscosity, Open, particles, boundary)?)
 }
 
+/// Length of the floor behind the gate \[m\]: the jet leaves with less than twice the speed of free fall from the surface.
+pub(crate) fn run_out(settings: &Settings) -> f64 {
+    let run_out = 2.0 * (2.0 * GRAVITY * WATER_DEPTH).sqrt() * settings.end_time;
+    run_out.max(0.05)
+}
+
 /// Left wall, floor on both sides of the gate, and the wall the gate hangs from: layers of points
 /// as deep as the effective radius, the first half a spacing behind the surface.
 fn walls<T: Real>(settings: &Settings) -> Vec<Vector<T, 2>> {
     let l0 = settings.spacing;
     let depth = 3.0 * l0;
-    // The jet leaves with less than twice the speed of free fall from the surface.
-    let run_out = 2.0 * (2.0 * GRAVITY * WATER_DEPTH).sqrt() * settings.end_time;
-    let right = RESERVOIR_WIDTH + GATE_THICKNESS + run_out.max(0.05);
+    let right = RESERVOIR_WIDTH + GATE_THICKNESS + run_out(settings);
     let thickness = GATE_THICKNESS.max(depth);
     let mut points = fill([-depth, 0.0], [0.0, WALL_HEIGHT], l0);
     points.extend(fill([-depth, -depth], [right, 0.0], l0));

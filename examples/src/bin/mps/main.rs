@@ -1,7 +1,7 @@
 //! Runs scenes that are written down in files.
 
 use clap::{Args, Parser, Subcommand};
-use mps_examples::scene::{Diagnosis, Layout, diagnose, plan, resume, run};
+use mps_examples::scene::{Diagnosis, Drawing, Layout, diagnose, plan, plot, resume, run};
 use mps_examples::{Common, Failure, Precision, Refused, exit_code};
 use mps_io::scene_file::{self, SceneError, SceneFile};
 use mps_neighbors::Parallel;
@@ -32,6 +32,8 @@ enum Command {
     },
     /// Say what a run will be and cost, measured by its first steps
     Plan(Run),
+    /// Draw the plots of a run again from its probes.csv, or columns of it in one plot
+    Plot(Plot),
     /// Print the JSON Schema of scene files, for editors that complete and check them
     Schema {
         /// A table of all keys in Markdown instead
@@ -100,6 +102,21 @@ impl Resume {
 }
 
 #[derive(Args, Clone, Debug)]
+struct Plot {
+    /// The directory of the run: of this program, or of another one with a table
+    directory: PathBuf,
+    /// A column, by its heading with or without the unit; may be repeated
+    #[arg(long = "column", value_name = "NAME")]
+    columns: Vec<String>,
+    /// The column they are drawn over; the time if left out
+    #[arg(long, value_name = "NAME", requires = "columns")]
+    over: Option<String>,
+    /// The picture; columns.png in the directory of the run if left out
+    #[arg(long, value_name = "FILE", requires = "columns")]
+    picture: Option<PathBuf>,
+}
+
+#[derive(Args, Clone, Debug)]
 struct Run {
     /// The scene file
     scene: PathBuf,
@@ -132,6 +149,9 @@ fn main() -> ExitCode {
                     scene.display()
                 ));
             })
+        }
+        Command::Plot(Plot { directory, columns, over, picture }) => {
+            plot(&directory, &Drawing { columns, over, picture }).map(|drawn| say(&format!("{drawn}\n")))
         }
         Command::Schema { reference } => {
             let schema =

@@ -1,6 +1,7 @@
 //! Where water, walls and bodies are.
 
 use crate::setup::Settings;
+use mps_examples::rings;
 use mps_examples::solid::flag::{CYLINDER, END, RADIUS, THICKNESS};
 use mps_kernel::{Real, Vector};
 
@@ -34,22 +35,8 @@ pub(crate) fn walls<T: Real>(settings: &Settings) -> Vec<Vector<T, 2>> {
 
 /// The cylinder as rings, the outermost half a spacing inside, with the area of each point.
 pub(crate) fn cylinder<T: Real>(settings: &Settings) -> (Vec<Vector<T, 2>>, Vec<T>) {
-    let l0 = settings.spacing;
-    let (mut places, mut areas) = (Vec::new(), Vec::new());
-    for layer in 0..settings.layers() {
-        let radius = RADIUS - (layer as f64 + 0.5) * l0;
-        if radius <= 0.0 {
-            break;
-        }
-        let around = core::f64::consts::TAU * radius;
-        let count = (around / l0).round().max(1.0);
-        for k in 0..count as usize {
-            let angle = core::f64::consts::TAU * (k as f64 + 0.5) / count;
-            places.push([CYLINDER[0] + radius * angle.cos(), CYLINDER[1] + radius * angle.sin()]);
-            areas.push(T::of(around * l0 / count));
-        }
-    }
-    (to_vectors(&places), areas)
+    let (places, areas) = rings(CYLINDER, RADIUS, settings.spacing, settings.layers());
+    (to_vectors(&places), areas.into_iter().map(T::of).collect())
 }
 
 /// Cell centres from `lower` on.

@@ -1,6 +1,7 @@
 //! Case 3: the flag of Turek and Hron (2006) behind a cylinder in a channel, rigid or elastic, from geometry to drag, lift and
 //! the motion of its end.
 
+mod describe;
 mod fields;
 mod geometry;
 mod observe;
@@ -12,6 +13,7 @@ mod setup;
 
 use clap::Parser;
 use fields::Fields;
+use mps_examples::scene::print_scene;
 use mps_examples::{Cost, Failure, Precision, conclude, exit_code, record};
 use mps_kernel::Real;
 use observe::Observer;
@@ -22,9 +24,14 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let options = Options::parse();
     exit_code(match options.common.precision {
+        _ if options.print_scene => print(&options),
         Precision::F32 => run::<f32>(&options),
         Precision::F64 => run::<f64>(&options),
     })
+}
+
+fn print(options: &Options) -> Result<(), Failure> {
+    print_scene("turek-hron", describe::scene(&options.settings()?), &options.common)
 }
 
 fn run<T: Real>(options: &Options) -> Result<(), Failure> {

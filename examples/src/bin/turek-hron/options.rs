@@ -41,6 +41,9 @@ pub(crate) struct Options {
     /// Level of the pressure over that of the mean inflow: keeps the fluid together where vortices would tear it
     #[arg(long, value_name = "RATIO", default_value_t = 2.0)]
     pub(crate) level: f64,
+    /// Print the scene file that is this run, for `mps run`, instead of running it
+    #[arg(long)]
+    pub(crate) print_scene: bool,
     #[command(flatten)]
     pub(crate) common: Common,
 }

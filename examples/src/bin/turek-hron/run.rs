@@ -27,9 +27,7 @@ impl<'a, T: Real> Run<'a, T> {
         settings: &Settings,
         parallel: &'a Parallel,
     ) -> Self {
-        // The time in which the inflow passes the diameter of the cylinder.
-        let passage = 0.1 / settings.test.inflow();
-        let every = |share: f64| Due::every(share * passage);
+        let every = |share: f64| Due::every(share * settings.passage());
         Self { scene, observer, fields, parallel, probe: every(0.02), frame: every(0.4), field: every(4.0) }
     }
 }

@@ -15,11 +15,11 @@ use mps_neighbors::{Open, Parallel};
 use mps_solid::materials::{Ambient, SaintVenantKirchhoff};
 
 /// Kinematic viscosity of the fluid \[m^2/s\].
-const VISCOSITY: f64 = 1e-3;
+pub(crate) const VISCOSITY: f64 = 1e-3;
 /// Its density \[kg/m^3\].
 pub(crate) const DENSITY: f64 = 1000.0;
 /// Time in which the inflow comes up to speed \[s\].
-const RAMP: f64 = 2.0;
+pub(crate) const RAMP: f64 = 2.0;
 /// The cylinder's place among the structures.
 pub(crate) const CYLINDER: usize = 0;
 /// The flag's.
@@ -61,6 +61,11 @@ impl Settings {
     /// Numerical sound speed \[m/s\]. Beside the cylinder the flow is about twice as fast as on average.
     pub(crate) fn sound_speed(&self) -> f64 {
         self.sound_ratio * 2.0 * self.test.inflow()
+    }
+
+    /// The time in which the inflow passes the diameter of the cylinder \[s\].
+    pub(crate) fn passage(&self) -> f64 {
+        0.1 / self.test.inflow()
     }
 
     /// Level of the pressure \[Pa\]: that beyond the outlet. High enough that no vortex pulls.

@@ -1,5 +1,7 @@
 //! What is refused before anything is built: numbers without sense, shapes without inside, names nobody has.
 
+mod fixed;
+mod openings;
 mod phases;
 mod regions;
 mod whole;

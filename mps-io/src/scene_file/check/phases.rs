@@ -1,6 +1,6 @@
 //! Fluid, walls and bodies.
 
-use super::super::fluid::{Diffusion, Fluid, InitialPressure, Viscosity};
+use super::super::fluid::{Diffusion, Fluid, InitialPressure, Tension, Viscosity, Weight};
 use super::super::region::{Corners, Region};
 use super::super::solids::{Clamp, InitialVelocity, Side, Solid};
 use super::super::walls::{Motion, Wall};
@@ -34,6 +34,13 @@ impl Checker<'_> {
                 "fluid.viscosity.laminar",
                 "give the kinematic viscosity in m2/s, of water 1e-6",
             ),
+            Viscosity::Compact(nu) => {
+                let key = "fluid.viscosity.compact";
+                self.within(nu, [0.0, 1e6], key, "give the kinematic viscosity in m2/s, of water 1e-6");
+                let smooth = fluid.numerics.weight == Weight::Smooth;
+                let remedy = "its weight, over the square of the distance, has to stay finite: give \"laminar\", or the weight \"smooth\"";
+                self.unless(smooth, key, "does not go with this weight", remedy);
+            }
         }
         let numerics = &fluid.numerics;
         self.within(
@@ -68,6 +75,14 @@ impl Checker<'_> {
             "fluid.numerics.background_pressure",
             "give a pressure in Pa, 0 with a free surface",
         );
+        let most = if numerics.tension == Tension::Keep { 0.03 } else { 0.0 };
+        self.within(
+            numerics.density_relaxation,
+            [0.0, most],
+            "fluid.numerics.density_relaxation",
+            "give 0 with a free surface, about 0.01 with tension = \"keep\", at most 0.03",
+        );
+        self.openings(fluid);
         self.unless(
             !fluid.bodies.is_empty(),
             "fluid.bodies",
@@ -148,6 +163,7 @@ impl Checker<'_> {
                     "name one, or leave the clamp out",
                 );
             }
+            Some(Clamp::Disc(disc)) => self.rows(disc, &solid.region, &at("clamp.disc")),
             Some(Clamp::Region(held)) => {
                 let before = self.problems.len();
                 self.region(held, solid.spacing, &at("clamp.region"));
@@ -161,6 +177,12 @@ impl Checker<'_> {
                 }
             }
         }
+        self.within(
+            solid.ambient_pressure.unwrap_or(0.0),
+            [0.0, 1e15],
+            &at("ambient_pressure"),
+            "give a pressure in Pa, or leave it out for the background pressure of the fluid",
+        );
         match &solid.velocity {
             None => {}
             Some(InitialVelocity::Uniform(velocity)) => {

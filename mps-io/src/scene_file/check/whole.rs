@@ -29,6 +29,7 @@ impl Checker<'_> {
         }
         let l0 = scene.fluid.as_ref().map(|fluid| fluid.spacing);
         let no_fluid = "give the scene a [fluid], or leave the walls out";
+        let no_fluid_to_feel = "give the scene a [fluid], or leave the fixed bodies out";
         self.unless(l0.is_some() || scene.walls.is_empty(), "walls", "have no fluid to hold", no_fluid);
         for (k, wall) in scene.walls.iter().enumerate() {
             self.wall(wall, l0.unwrap_or(1.0), &format!("walls[{k}]"));
@@ -36,8 +37,23 @@ impl Checker<'_> {
         for (k, solid) in scene.solids.iter().enumerate() {
             self.solid(solid, &format!("solids[{k}]"));
         }
-        self.names(scene.solids.iter().map(|solid| &solid.name), "solids");
-        self.names(scene.probes.iter().map(|probe| &probe.name), "probes");
+        self.unless(
+            l0.is_some() || scene.fixed.is_empty(),
+            "fixed",
+            "have no fluid to feel",
+            no_fluid_to_feel,
+        );
+        for (k, body) in scene.fixed.iter().enumerate() {
+            self.fixed(body, l0.unwrap_or(1.0), &format!("fixed[{k}]"));
+        }
+        // Probes find both by name.
+        let solids =
+            scene.solids.iter().enumerate().map(|(k, solid)| (format!("solids[{k}].name"), &solid.name));
+        let fixed = scene.fixed.iter().enumerate().map(|(k, body)| (format!("fixed[{k}].name"), &body.name));
+        self.names(solids.chain(fixed));
+        let probes =
+            scene.probes.iter().enumerate().map(|(k, probe)| (format!("probes[{k}].name"), &probe.name));
+        self.names(probes);
         for (k, probe) in scene.probes.iter().enumerate() {
             self.probe(probe, scene, &format!("probes[{k}].measure"));
         }
@@ -45,10 +61,9 @@ impl Checker<'_> {
     }
 
     /// Names become parts of file names and headings of columns.
-    fn names<'n>(&mut self, names: impl Iterator<Item = &'n String>, list: &str) {
+    fn names<'n>(&mut self, names: impl Iterator<Item = (String, &'n String)>) {
         let mut known: Vec<&str> = Vec::new();
-        for (k, name) in names.enumerate() {
-            let key = format!("{list}[{k}].name");
+        for (key, name) in names {
             let good =
                 !name.trim().is_empty() && !name.contains(['/', '\\', '\n', '"']) && !name.starts_with('.');
             let what = format!("is {name:?}");
@@ -82,6 +97,25 @@ impl Checker<'_> {
                     &height,
                     "give the height in metres, e.g. a tenth of that of the water",
                 );
+            }
+            Measure::Force(force) => {
+                let on = format!("{key}.force.on");
+                self.unless(!force.on.is_empty(), &on, "names no body", "name one at least");
+                let solids = scene.solids.iter().map(|solid| solid.name.as_str());
+                let names: Vec<&str> =
+                    solids.chain(scene.fixed.iter().map(|body| body.name.as_str())).collect();
+                for (k, name) in force.on.iter().enumerate() {
+                    let (what, advice) =
+                        (format!("is {name:?}, and no body has this name"), advice(name, &names));
+                    self.unless(names.contains(&name.as_str()), &format!("{on}[{k}]"), what, advice);
+                    let twice = force.on[..k].contains(name);
+                    self.unless(
+                        !twice,
+                        &format!("{on}[{k}]"),
+                        format!("is {name:?} again"),
+                        "name each body once",
+                    );
+                }
             }
             Measure::Displacement(displacement) => {
                 let (at, named) = (format!("{key}.displacement.at"), &displacement.solid);

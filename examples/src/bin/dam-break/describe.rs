@@ -1,0 +1,114 @@
+//! The run as a scene file.
+
+use crate::options::{Options, Weight};
+use crate::setup::{
+    DENSITY, GRAVITY, HEIGHT, LENGTH, PRESSURE, Release, Settings, Smoothing, TANK, WALL_HEIGHT,
+    WALL_SPACING, bed_length, sound_speed,
+};
+use crate::{FRAME_INTERVAL, PROBE_INTERVAL};
+use mps_examples::Refused;
+use mps_io::scene_file::{
+    self, Body, Corners, Diffusion, Fixed, Fluid, FrontProbe, InitialPressure, LevelProbe, Measure, Numerics,
+    Output, Packing, PressureForm, PressureProbe, Probe, Region, SceneFile, Slip, Tension, Viscosity, Wall,
+    Way,
+};
+
+/// The scene of these settings. The far wall, whose load the program measures, is a fixed body.
+///
+/// # Errors
+/// If the gate is to be lifted, or several runs are asked for.
+pub(crate) fn scene(options: &Options, settings: &Settings) -> Result<SceneFile, Refused> {
+    let instant = settings.release == Release::Instant;
+    let remedy = "a scene cannot put the gate away when it is above the water: give instant";
+    Refused::unless(instant, "--release", "lifted", remedy)?;
+    let remedy = "a scene is one run: leave it out, and give the flags of the run you mean";
+    Refused::unless(!options.stabilisers, "--stabilisers", "given", remedy)?;
+    let l0 = settings.spacing;
+    let probe = |name: &str, measure| Probe { name: name.into(), measure };
+    let front = FrontProbe { start: vec![LENGTH, 0.0], height: 0.1 * HEIGHT, toward: Way::Right };
+    Ok(SceneFile {
+        title: format!("Dam break, {} mm", l0 * 1e3),
+        end_time: settings.end_time,
+        gravity: vec![0.0, -GRAVITY],
+        fluid: Some(fluid(options, settings)),
+        walls: walls(settings),
+        fixed: vec![far_wall(settings)],
+        probes: vec![
+            probe("front", Measure::Front(front)),
+            probe(
+                "pressure on the far wall",
+                Measure::Pressure(PressureProbe { at: vec![TANK, 0.01 * HEIGHT] }),
+            ),
+            probe("level at the back", Measure::Level(LevelProbe { foot: vec![0.5 * LENGTH, 0.0] })),
+        ],
+        output: Output {
+            probe_interval: Some(PROBE_INTERVAL),
+            frame_interval: Some(FRAME_INTERVAL),
+            field_interval: Some(FRAME_INTERVAL),
+            view: Some(Corners::between([-0.03, -0.03], [TANK + 0.03, 2.0 * HEIGHT])),
+            pressure_scale: Some(PRESSURE),
+            ..Output::default()
+        },
+        ..SceneFile::default()
+    })
+}
+
+fn fluid(options: &Options, settings: &Settings) -> Fluid {
+    let numerics = Numerics {
+        weight: match options.weight {
+            Weight::Smooth => scene_file::Weight::Smooth,
+            Weight::Rational => scene_file::Weight::Rational,
+        },
+        radius: settings.radius,
+        diffusion: match settings.diffusion {
+            Smoothing::Filter(delta) => Diffusion::Filter(delta),
+            Smoothing::Hydrostatic => Diffusion::Hydrostatic,
+        },
+        collisions: settings.collisions,
+        shifting: settings.shifting,
+        cfl: settings.cfl,
+        tension: match settings.tension {
+            mps_fluid::Tension::Clip => Tension::Clip,
+            mps_fluid::Tension::Keep => Tension::Keep,
+        },
+        pressure_form: match settings.pressure_form {
+            mps_fluid::PressureForm::Plain => PressureForm::Plain,
+            mps_fluid::PressureForm::Corrected => PressureForm::Corrected,
+        },
+        ..Numerics::default()
+    };
+    let column = Body {
+        region: Region::between([0.0, 0.0], [LENGTH, HEIGHT]),
+        pressure: InitialPressure::ReleasedColumn,
+        velocity: Vec::new(),
+    };
+    Fluid {
+        density: DENSITY,
+        sound_speed: Some(sound_speed(settings)),
+        viscosity: Viscosity::Artificial(settings.alpha),
+        numerics,
+        ..Fluid::new(settings.spacing, vec![column])
+    }
+}
+
+fn walls(settings: &Settings) -> Vec<Wall> {
+    let depth = settings.radius * settings.spacing;
+    let from = TANK - bed_length(settings.spacing, depth);
+    let wall =
+        |name: &str, region| Wall { fineness: WALL_SPACING, ..Wall::filling(name, region, Slip::Free) };
+    vec![
+        wall("back", Region::between([-depth, 0.0], [0.0, WALL_HEIGHT])),
+        wall("bed", Region::between([from, -depth], [TANK, 0.0])),
+    ]
+}
+
+fn far_wall(settings: &Settings) -> Fixed {
+    let depth = settings.radius * settings.spacing;
+    Fixed {
+        name: "far wall".into(),
+        region: Region::between([TANK, -depth], [TANK + depth, WALL_HEIGHT]),
+        spacing: Some(WALL_SPACING * settings.spacing),
+        packing: Packing::Lattice,
+        slip: Slip::Free,
+    }
+}

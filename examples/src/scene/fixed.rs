@@ -1,0 +1,57 @@
+//! Rigid bodies at rest from their description.
+
+use super::bodies::rows;
+use super::lattice::{Place, fill};
+use super::{vector, vectors};
+use crate::rings;
+use mps_coupling::Fixed;
+use mps_io::scene_file::{Disc, Fixed as Description, Fluid, Packing, Region};
+use mps_kernel::Real;
+use mps_solid::SolidError;
+
+/// Points of a rigid body.
+#[derive(Clone, Debug)]
+pub struct FixedPoints {
+    /// Places \[m\].
+    pub places: Vec<Place>,
+    /// Volume of each \[m^2\].
+    pub volumes: Vec<f64>,
+    /// Their distance \[m\].
+    pub spacing: f64,
+}
+
+impl FixedPoints {
+    /// The points of a body in a fluid.
+    ///
+    /// # Errors
+    /// If rows cannot be made of the numbers.
+    pub(super) fn new(body: &Description, fluid: &Fluid) -> Result<Self, SolidError> {
+        let spacing = body.spacing.unwrap_or(fluid.spacing);
+        let (places, volumes) = match (&body.packing, &body.region) {
+            (Packing::Rings, Region::Circle(Disc { center, radius })) => {
+                // One more than the fluid reaches, whatever the rounding.
+                let reach = fluid.numerics.radius * fluid.spacing / spacing;
+                let layers = (reach - 1e-6).ceil() as usize + 1;
+                rings(vector::<f64>(center).into(), *radius, spacing, layers)
+            }
+            (Packing::Rows(disc), Region::Box(corners)) => {
+                let (particles, _) = rows::<f64>(corners, disc, spacing)?;
+                let places = particles.reference_positions().iter().map(|x| (*x).into()).collect();
+                (places, particles.volumes().to_vec())
+            }
+            // What rings and rows are of has been checked.
+            _ => {
+                let places = fill(&body.region, spacing);
+                let volumes = vec![spacing * spacing; places.len()];
+                (places, volumes)
+            }
+        };
+        Ok(Self { places, volumes, spacing })
+    }
+
+    /// The body in a scene.
+    pub(super) fn body<T: Real>(&self) -> Fixed<T, 2> {
+        let volumes = self.volumes.iter().map(|volume| T::of(*volume)).collect();
+        Fixed::new(vectors(&self.places), volumes, T::of(self.spacing))
+    }
+}

@@ -1,0 +1,96 @@
+//! `mps plot`: the plots of a run, again, and columns of its table by name.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
+
+mod common;
+
+use common::{execute, fresh, words};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const MPS: &str = env!("CARGO_BIN_EXE_mps");
+
+fn plot(dir: &Path, arguments: &[&str]) -> Output {
+    Command::new(MPS).arg("plot").arg(dir).args(arguments).output().unwrap()
+}
+
+/// A short run of a scene.
+fn tank(name: &str) -> PathBuf {
+    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/hydrostatic-tank.toml");
+    let dir = fresh("plots", name);
+    let run = ["run", scene.to_str().unwrap(), "--end-time", "5e-3", "--no-fields", "--quiet"];
+    assert!(execute(MPS, &dir, &run).status.success());
+    dir
+}
+
+#[test]
+fn the_plots_of_a_run_are_drawn_again_as_they_were() {
+    let dir = tank("again");
+    for name in ["probe_level.png", "probe_pressure_at_the_bottom.png", "energies.png"] {
+        let path = dir.join(name);
+        let first = std::fs::read(&path).unwrap();
+        std::fs::remove_file(&path).unwrap();
+        let output = plot(&dir, &[]);
+        assert!(output.status.success(), "{}", words(&output.stderr));
+        assert!(std::fs::read(&path).unwrap() == first, "{name}");
+    }
+}
+
+#[test]
+fn columns_are_drawn_by_name_with_or_without_their_units() {
+    let dir = tank("columns");
+    let draw = |arguments: &[&str], picture: &str| {
+        let output = plot(&dir, arguments);
+        assert!(output.status.success(), "{}", words(&output.stderr));
+        assert_eq!(words(&output.stdout).trim(), dir.join(picture).to_str().unwrap());
+        std::fs::read(dir.join(picture)).unwrap()
+    };
+    let one = draw(&["--column", "fluid kinetic"], "columns.png");
+    assert!(one == draw(&["--column", "fluid kinetic [J/m]"], "columns.png"));
+    let two = draw(&["--column", "fluid kinetic", "--column", "fluid compression"], "columns.png");
+    assert!(one != two && two.starts_with(b"\x89PNG"));
+    let other = dir.join("phase.png");
+    let phase = ["--column", "level", "--over", "fluid kinetic", "--picture", other.to_str().unwrap()];
+    assert!(draw(&phase, "phase.png") != draw(&["--column", "level"], "columns.png"));
+}
+
+#[test]
+fn what_cannot_be_drawn_is_refused_with_a_remedy() {
+    let dir = tank("refused");
+    let table = dir.join("probes.csv").display().to_string();
+    for (arguments, message) in [
+        (vec!["--column", "levl"], format!("{table} has no column \"levl\": did you mean \"level\"?")),
+        (
+            vec!["--column", "drag"],
+            format!("{table} has no column \"drag\": there are time, pressure at the bottom"),
+        ),
+        (
+            vec!["--column", "level", "--column", "time step"],
+            "\"level [m]\" and \"time step [s]\" have different units".to_owned(),
+        ),
+        (
+            vec!["--column", "level", "--over", "tim"],
+            format!("{table} has no column \"tim\": did you mean \"time\"?"),
+        ),
+    ] {
+        let output = plot(&dir, &arguments);
+        let said = words(&output.stderr);
+        assert!(!output.status.success() && said.starts_with("error: ") && said.contains(&message), "{said}");
+    }
+    let nowhere = plot(&dir.join("nowhere"), &[]);
+    assert!(!nowhere.status.success() && words(&nowhere.stderr).contains("probes.csv"));
+    let headings =
+        std::fs::read_to_string(dir.join("probes.csv")).unwrap().lines().next().unwrap().to_owned();
+    std::fs::write(dir.join("probes.csv"), headings + "\n").unwrap();
+    assert!(words(&plot(&dir, &[]).stderr).contains("has no rows yet"));
+}
+
+/// Programs that know no scenes have tables as well.
+#[test]
+fn the_table_of_another_program_is_drawn() {
+    let dir = fresh("plots", "plate");
+    let run = ["--across", "2", "--end-time", "0.02", "--no-fields", "--quiet"];
+    assert!(execute(env!("CARGO_BIN_EXE_cantilever"), &dir, &run).status.success());
+    let output = plot(&dir, &[]);
+    assert!(output.status.success(), "{}", words(&output.stderr));
+    assert!(dir.join("probe_tip_y.png").exists() && dir.join("probe_energy.png").exists());
+}
