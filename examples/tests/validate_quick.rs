@@ -66,6 +66,7 @@ const COUPLING: &[(&str, &str, u64, f64)] = &[
     ("exchange", "energy, largest change", 4, 0.004),
     ("added-mass", "frequency", 10, 0.001),
     ("plate", "over the same solid without water", 4, 0.007),
+    ("square-plate", "over the same solid without water", 2, 0.0075),
     ("submerged-beam", "deflection of the end", 4, 0.02),
     ("submerged-beam", "over the same solid without water", 4, 0.025),
     ("submerged-beam", "lift", 4, 0.01),

@@ -3,17 +3,17 @@
 
 mod common;
 
-use common::{Wet, floating, gate, largest_rise};
+use common::{Wet, floating, floating_in, gate, largest_rise};
 use mps_fluid::Slip;
 use mps_neighbors::Parallel;
 
-fn total(scene: &Wet) -> f64 {
+fn total<const D: usize>(scene: &Wet<D>) -> f64 {
     let (fluid, structure) = scene.energy(&Parallel::serial());
     fluid.total() + structure.total()
 }
 
 /// Total energies of the start and after each step.
-fn energies(scene: &mut Wet, steps: usize) -> Vec<f64> {
+fn energies<const D: usize>(scene: &mut Wet<D>, steps: usize) -> Vec<f64> {
     let parallel = Parallel::serial();
     let mut found = vec![total(scene)];
     for _ in 0..steps {
@@ -31,6 +31,9 @@ fn a_block_floating_in_a_blob_never_gains_energy() {
         let rise = largest_rise(&energy) / energy[0];
         assert!(rise < 1e-12, "speed {speed}: {rise:e}");
     }
+    let energy = energies(&mut floating_in::<3>(0.3, 14, 6), 100);
+    let rise = largest_rise(&energy) / energy[0];
+    assert!(rise < 1e-12, "in space: {rise:e}");
 }
 
 #[test]

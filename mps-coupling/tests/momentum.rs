@@ -3,36 +3,42 @@
 
 mod common;
 
-use common::{Wet, floating, gate, solid_of};
+use common::{Wet, floating, floating_in, gate, solid_of};
 use mps_fluid::Slip;
 use mps_kernel::Vector;
 use mps_neighbors::Parallel;
 
-fn momenta(scene: &Wet) -> [Vector<f64, 2>; 2] {
+fn momenta<const D: usize>(scene: &Wet<D>) -> [Vector<f64, D>; 2] {
     let parallel = Parallel::serial();
     [scene.fluid().momentum(&parallel), solid_of(scene).momentum(&parallel)]
 }
 
-#[test]
-fn a_block_floating_in_a_blob_keeps_the_total_momentum() {
+fn keeps_the_total_momentum<const D: usize>(mut scene: Wet<D>, steps: usize) {
     let parallel = Parallel::serial();
-    let mut scene = floating(0.3);
+    scene.audit_interval = 1;
     let start = momenta(&scene);
     let fluid = scene.fluid();
     let mass = fluid.config().particle_mass();
     let size: f64 = fluid.particles().velocity.iter().map(|u| mass * u.norm()).sum();
-    for _ in 0..50 {
+    for _ in 0..steps {
         scene.step(&parallel, f64::INFINITY).unwrap();
         let now = momenta(&scene);
         let defect = (now[0] + now[1] - start[0] - start[1]).norm() / size;
         assert!(defect < 1e-12, "step {}: {defect:e}", scene.fluid().steps());
     }
     assert!(scene.substeps() > 1, "sub-cycled: {}", scene.substeps());
+    assert!(scene.budget().residual < 1e-12, "action and reaction: {:e}", scene.budget().residual);
     let handed_over = momenta(&scene)[1] - start[1];
     assert!(handed_over.norm() > 1e-3 * size, "much has been handed over: {}", handed_over.norm() / size);
     // The books say the same.
     let booked = (scene.budget().impulse - handed_over).norm() / size;
     assert!(booked < 1e-12, "{booked:e}");
+}
+
+#[test]
+fn a_block_floating_in_a_blob_keeps_the_total_momentum() {
+    keeps_the_total_momentum(floating(0.3), 50);
+    keeps_the_total_momentum(floating_in::<3>(0.3, 14, 6), 50);
 }
 
 #[test]
