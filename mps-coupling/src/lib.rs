@@ -10,10 +10,10 @@ mod saved;
 mod scene;
 mod structure;
 
-pub use budget::Budget;
+pub use budget::{Budget, Closure, Handed};
 pub use elastic::ElasticBody;
 pub use error::CouplingError;
 pub use fixed::Fixed;
 pub use register::Interface;
 pub use scene::Scene;
-pub use structure::{Structure, StructureEnergy};
+pub use structure::{Momenta, Structure, StructureEnergy};

@@ -1,8 +1,9 @@
 //! The nested time loop: a fluid and the structures it pushes.
 
-use crate::{Budget, CouplingError, Interface, Structure, StructureEnergy};
+use crate::budget::SubStep;
+use crate::{Budget, CouplingError, Handed, Interface, Structure, StructureEnergy};
 use core::ops::Range;
-use mps_fluid::{Fluid, FluidEnergy, Slip, Viscosity};
+use mps_fluid::{Fluid, FluidEnergy, Push, Slip, Viscosity};
 use mps_kernel::weights::Rational;
 use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::{Domain, Open, Parallel};
@@ -117,6 +118,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let force = vec![Vector::zeros(); positions.len()];
         let start = positions.to_vec();
         self.bodies.push(Body { structure, interface, range, force, start });
+        self.budget.handed.push(Handed::default());
         Ok(index)
     }
 
@@ -130,7 +132,12 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if self.audit_interval > 0 && self.fluid.steps().is_multiple_of(self.audit_interval) {
             self.audit(parallel);
         }
+        let center = self.budget.center;
+        let at_start = self.budget.fluid.map(|_| self.fluid.push_by_structures(parallel, &center));
         self.advance_structures(parallel, dt)?;
+        if let (Some(fluid), Some(at_start)) = (&mut self.budget.fluid, at_start) {
+            *fluid += (at_start + self.fluid.push_since(&center)) * dt;
+        }
         self.fluid.finish_step(parallel, dt);
         for body in &self.bodies {
             let boundary = self.fluid.boundary_mut();
@@ -166,7 +173,14 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                 body.structure
                     .advance(parallel, &body.force, &gravity, sub_dt, 1)
                     .map_err(|source| CouplingError::Structure { index, time, source })?;
-                self.budget.book(&body.force, body.structure.mean_velocities(), sub_dt);
+                let step = SubStep {
+                    force: &body.force,
+                    velocity: body.structure.mean_velocities(),
+                    position: body.structure.positions(),
+                    start: &body.start,
+                    dt: sub_dt,
+                };
+                self.budget.handed[index].book(&self.budget.center, &step);
             }
             for body in &self.bodies {
                 body.show_velocities(&mut self.fluid);
@@ -202,8 +216,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if reactive.is_empty() {
             return;
         }
-        let on_fluid = self.fluid.force_by_structures(parallel);
-        self.budget.audit(&self.fluid.boundary().force[reactive], on_fluid);
+        let on_fluid = self.fluid.push_by_structures(parallel, &self.budget.center);
+        self.budget.audit(&self.fluid.boundary().force[reactive], on_fluid.force);
     }
 
     /// Refreshes normals and wetted marks of all structures, for output and probes.
@@ -245,7 +259,16 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         self.substeps
     }
 
-    /// Impulse and work handed over so far.
+    /// Begins the books anew, with moments about `center` \[m\], and from now on lets the fluid book what it receives as well
+    /// ([`Budget::closure`]), which costs another visit of its pairs with structures in every step. Belongs between steps.
+    pub fn keep_books(&mut self, center: Vector<T, D>) {
+        let Budget { handed, residual, audits, .. } = &self.budget;
+        let handed = vec![Handed::default(); handed.len()];
+        let (residual, audits) = (*residual, *audits);
+        self.budget = Budget { center, handed, fluid: Some(Push::default()), residual, audits };
+    }
+
+    /// What has been handed over so far.
     pub fn budget(&self) -> &Budget<T, D> {
         &self.budget
     }

@@ -1,5 +1,6 @@
 //! What a fluid needs of anything solid that moves.
 
+use mps_fluid::Push;
 use mps_kernel::{Real, Transfer, Vector};
 use mps_neighbors::Parallel;
 use std::any::Any;
@@ -22,6 +23,9 @@ impl<T: Real> StructureEnergy<T> {
         self.kinetic + self.strain + self.potential
     }
 }
+
+/// Momentum \[N s\] and angular momentum about a stated point \[N m s\] of a structure, as a [`Push`] that has given it to the structure.
+pub type Momenta<T, const D: usize> = Push<T, D>;
 
 /// A body the fluid can push: the solid of `mps-solid`, or the body of another simulator.
 ///
@@ -70,6 +74,12 @@ pub trait Structure<T: Real, const D: usize>: Send + Sync {
         transfer.refuse(
             "a structure of this type cannot be saved: implement `Structure::transfer` for it, or run the scene in one piece",
         );
+    }
+
+    /// Momentum and angular momentum about `center` \[m\] by the structure's own books, which the coupling can be held against;
+    /// `None` if it keeps none.
+    fn momenta(&self, _parallel: &Parallel, _center: &Vector<T, D>) -> Option<Momenta<T, D>> {
+        None
     }
 
     /// The structure itself, for probes and output that know its type.

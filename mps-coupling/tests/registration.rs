@@ -166,7 +166,8 @@ fn the_inside_of_a_thick_body_is_not_shown_to_the_fluid() {
 #[test]
 fn the_wet_part_of_a_post_is_what_stands_in_the_water() {
     let parallel = Parallel::serial();
-    let post = |r: &Vector<f64, 3>| [r.x, r.y].iter().all(|x| (4.0..8.0).contains(&(x / L0))) && r.z > 1.0 * L0;
+    let post =
+        |r: &Vector<f64, 3>| [r.x, r.y].iter().all(|x| (4.0..8.0).contains(&(x / L0))) && r.z > 1.0 * L0;
     let water = lattice([0.0; 3], [12, 12, 6], L0).into_iter().filter(|r| !post(r)).collect();
     let config = FluidConfig::water(L0, 10.0);
     let particles = FluidParticles::at_rest(water);

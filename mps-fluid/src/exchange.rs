@@ -19,7 +19,7 @@
 use crate::boundary::Shear;
 use crate::eos::EquationOfState;
 use crate::terms::Viscosity;
-use crate::{Fluid, Tension};
+use crate::{Fluid, Push, Tension};
 use mps_kernel::{Kernel, Neighborhood, Pair, Real, Tensor, Vector};
 use mps_neighbors::{Domain, Parallel};
 
@@ -212,25 +212,41 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// Adds the mean change of pressure over the sub-steps to the accelerations of the fluid: the
     /// reaction to what the structures have felt.
     pub(crate) fn finish_exchange(&mut self) {
+        for k in 0..self.exchange.answered() {
+            let [pressure, shear] = self.reaction_since(k);
+            let acceleration = &mut self.rates.acceleration[self.exchange.wetted[k] as usize];
+            *acceleration += pressure;
+            *acceleration += shear;
+        }
+    }
+
+    /// Acceleration of wetted particle number `k` by what pressure and shear have each changed by since the start of the step, mean over the
+    /// sub-steps \[m/s^2\].
+    fn reaction_since(&self, k: usize) -> [Vector<T, D>; 2] {
         let exchange = &self.exchange;
-        if exchange.substeps == 0 {
-            return;
+        let substeps = T::of(exchange.substeps as f64);
+        let factor = -T::of(2.0) * self.reference.gradient_factor::<D>() / (self.config.density * substeps);
+        let links = exchange.wetted_start[k] as usize..exchange.wetted_start[k + 1] as usize;
+        let sum = exchange.wetted_links[links.clone()].iter().fold(Vector::zeros(), |sum, l| sum + l.vector);
+        let pressure = sum * (exchange.sum[k] * factor);
+        if exchange.slide.is_empty() {
+            return [pressure, Vector::zeros()];
         }
-        let factor = -T::of(2.0) * self.reference.gradient_factor::<D>()
-            / (self.config.density * T::of(exchange.substeps as f64));
-        for (k, &i) in exchange.wetted.iter().enumerate() {
-            let links = exchange.wetted_start[k] as usize..exchange.wetted_start[k + 1] as usize;
-            let sum =
-                exchange.wetted_links[links.clone()].iter().fold(Vector::zeros(), |sum, l| sum + l.vector);
-            self.rates.acceleration[i as usize] += sum * (exchange.sum[k] * factor);
-            if !exchange.slide.is_empty() {
-                let pairs = exchange.wetted_links[links.clone()].iter().zip(&exchange.wetted_drag[links]);
-                let shear = pairs.fold(Vector::zeros(), |sum, (link, drag)| {
-                    sum + drag * exchange.slide[link.other as usize]
-                });
-                self.rates.acceleration[i as usize] += shear / T::of(exchange.substeps as f64);
-            }
-        }
+        let pairs = exchange.wetted_links[links.clone()].iter().zip(&exchange.wetted_drag[links]);
+        let shear =
+            pairs.fold(Vector::zeros(), |sum, (link, drag)| sum + drag * exchange.slide[link.other as usize]);
+        [pressure, shear / substeps]
+    }
+
+    /// What the structures have done to the fluid in the sub-steps so far beyond [`push_by_structures`](Fluid::push_by_structures), mean
+    /// over the sub-steps, about `center` \[m\].
+    pub fn push_since(&self, center: &Vector<T, D>) -> Push<T, D> {
+        let mass = self.config.particle_mass();
+        (0..self.exchange.answered()).fold(Push::default(), |sum, k| {
+            let arm = self.particles.position[self.exchange.wetted[k] as usize] - center;
+            let [pressure, shear] = self.reaction_since(k);
+            sum + Push::at(&arm, &((pressure + shear) * mass))
+        })
     }
 
     /// Power \[W\] of the mean change of pressure over the sub-steps at the mean velocities of the structures.
@@ -253,6 +269,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 }
 
 impl<T: Real, const D: usize> Exchange<T, D> {
+    /// Number of particles that have an answer: none before the first sub-step.
+    fn answered(&self) -> usize {
+        if self.substeps == 0 { 0 } else { self.wetted.len() }
+    }
+
     fn clear(&mut self) {
         self.wetted.clear();
         self.wetted_start.clear();

@@ -93,9 +93,8 @@ impl Cones<'_> {
         let along = self.cosine / together;
         let off = ((1.0 - self.cosine * along * 2.0) / sine2).sqrt();
         // Neither where they lie side by side or opposite, nor where they are too far apart.
-        off.is_finite().then(|| {
-            [off, -off].map(|off| core::array::from_fn(|k| along * (a[k] + b[k]) + off * normal[k]))
-        })
+        off.is_finite()
+            .then(|| [off, -off].map(|off| core::array::from_fn(|k| along * (a[k] + b[k]) + off * normal[k])))
     }
 }
 

@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
 use crate::common::{Noise, fill, lattice, tank, water};
-use mps_fluid::surface::Surface::{Detached, Free, Inner};
 use mps_fluid::surface::Surface;
+use mps_fluid::surface::Surface::{Detached, Free, Inner};
 use mps_fluid::{Boundary, Fluid, FluidConfig, FluidParticles};
 use mps_kernel::Vector;
 use mps_kernel::weights::Rational;

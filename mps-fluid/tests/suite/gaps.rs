@@ -62,9 +62,8 @@ fn faces_edges_and_corners_have_the_cones_of_their_geometry() {
 
 #[test]
 fn a_missing_neighbour_and_an_inner_edge_are_no_gaps() {
-    let found = |inside: &dyn Fn(&Vector<f64, 3>) -> bool| {
-        has_gap(&neighbors(inside), &Vector::zeros(), GAP_LIMIT)
-    };
+    let found =
+        |inside: &dyn Fn(&Vector<f64, 3>) -> bool| has_gap(&neighbors(inside), &Vector::zeros(), GAP_LIMIT);
     assert!(!found(&|_| true));
     assert!(!found(&|r| r.y.abs() + r.z.abs() > 0.5 || r.x < 0.0), "those along an axis");
     assert!(!found(&|r| r.x < 0.5 || r.y < 0.5), "a quarter of the space");

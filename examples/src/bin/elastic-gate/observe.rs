@@ -110,7 +110,7 @@ impl<T: Real> Observer<T> {
             gate.kinetic.to_double(),
             gate.strain.to_double(),
             gate.potential.to_double(),
-            scene.budget().work.to_double(),
+            scene.budget().work().to_double(),
             dt,
             scene.substeps() as f64,
             wetted as f64,
