@@ -64,6 +64,8 @@ const COUPLING: &[(&str, &str, u64, f64)] = &[
     ("exchange", "momentum, largest change", 4, 1e-12),
     ("exchange", "angular momentum, largest change", 4, 1e-6),
     ("exchange", "energy, largest change", 4, 0.004),
+    ("exchange", "books, momentum", 4, 1e-12),
+    ("exchange", "books, angular momentum", 4, 1e-12),
     ("added-mass", "frequency", 10, 0.001),
     ("plate", "over the same solid without water", 4, 0.007),
     ("square-plate", "over the same solid without water", 2, 0.0075),

@@ -8,6 +8,7 @@ mod fixed;
 mod register;
 mod saved;
 mod scene;
+mod stability;
 mod structure;
 
 pub use budget::{Budget, Closure, Handed};
@@ -16,4 +17,4 @@ pub use error::CouplingError;
 pub use fixed::Fixed;
 pub use register::Interface;
 pub use scene::Scene;
-pub use structure::{Momenta, Structure, StructureEnergy};
+pub use structure::{Inertia, Momenta, Structure, StructureEnergy};

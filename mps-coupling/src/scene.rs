@@ -64,9 +64,8 @@ pub struct Scene<
     pub(crate) substeps: usize,
     /// The two sides of the interface are compared every so many steps; 0 never. Default 100.
     pub audit_interval: u64,
-    /// Sub-steps of the structures in one fluid step at least. Default 1. A structure knows the limit of its own vibrations only;
-    /// one that is lighter than a tenth of a layer of fluid particles needs more, because the fluid at its surface is the stiffer
-    /// spring (`docs/coupling.md`).
+    /// Sub-steps of the structures in one fluid step at least. Default 1. More are taken where a structure's own limit or the fluid at its
+    /// surface ([`interface_border`](Self::interface_border)) asks for them.
     pub min_substeps: usize,
     /// Sub-steps of a structure in one fluid step beyond which the scene is refused. Default 2000.
     pub max_substeps: usize,
@@ -128,7 +127,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// # Errors
     /// If the fluid or a structure cannot go on.
     pub fn step(&mut self, parallel: &Parallel, longest: T) -> Result<T, CouplingError> {
-        let dt = self.fluid.begin_step(parallel)?.min(longest);
+        let dt = self.fluid.begin_step(parallel)?.min(longest).min(self.longest_coupled_step());
         if self.audit_interval > 0 && self.fluid.steps().is_multiple_of(self.audit_interval) {
             self.audit(parallel);
         }
@@ -200,7 +199,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     fn substeps_for(&self, parallel: &Parallel, dt: T) -> Result<usize, CouplingError> {
         let mut most = self.min_substeps.max(1) as f64;
         for (index, body) in self.bodies.iter().enumerate() {
-            let limit = body.structure.max_step(parallel);
+            let limit = body.structure.max_step(parallel).min(self.longest_substep(body));
             let substeps = (dt / limit).to_double().ceil();
             if substeps.is_nan() || substeps > self.max_substeps as f64 {
                 let (limit, dt) = (limit.to_double(), dt.to_double());

@@ -1,7 +1,7 @@
 //! Scenes shared by the tests.
 #![allow(dead_code, unreachable_pub, reason = "every test uses its own part")]
 
-use mps_coupling::{ElasticBody, Scene, Structure, StructureEnergy};
+use mps_coupling::{ElasticBody, Inertia, Scene, Structure, StructureEnergy};
 use mps_fluid::{
     ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait,
 };
@@ -162,6 +162,8 @@ pub struct Piston {
     pub y: f64,
     pub v: f64,
     pub max_step: f64,
+    /// Whether it tells its mass.
+    pub open: bool,
     pub breaks: bool,
 }
 
@@ -178,6 +180,7 @@ impl Piston {
             y: 0.0,
             v: 0.0,
             max_step: f64::INFINITY,
+            open: false,
             breaks: false,
         }
     }
@@ -202,6 +205,10 @@ impl Structure<f64, 2> for Piston {
 
     fn max_step(&self, _parallel: &Parallel) -> f64 {
         self.max_step
+    }
+
+    fn inertia(&self) -> Inertia<'_, f64> {
+        if self.open { Inertia::Rigid(self.mass) } else { Inertia::Unknown }
     }
 
     fn advance(
@@ -265,7 +272,18 @@ pub mod column {
 
     /// The piston has the given mass and spring and begins with `speed`; it moves in sub-steps of at most `sub_step`, the water with
     /// the Courant number `cfl`.
-    pub fn column(mass: f64, stiffness: f64, speed: f64, (cfl, sub_step): (f64, f64)) -> Column {
+    pub fn column(mass: f64, stiffness: f64, speed: f64, steps: (f64, f64)) -> Column {
+        column_under(mass, stiffness, speed, steps, false)
+    }
+
+    /// As [`column`]; the piston may tell its mass.
+    pub fn column_under(
+        mass: f64,
+        stiffness: f64,
+        speed: f64,
+        (cfl, sub_step): (f64, f64),
+        open: bool,
+    ) -> Column {
         let parallel = Parallel::serial();
         let mut config = FluidConfig::water(L0, C);
         config.tension = Tension::Keep;
@@ -279,6 +297,7 @@ pub mod column {
         let mut piston = Piston::new(lattice([0.0, HEIGHT], [COLUMNS, 4], L0), L0, mass, stiffness);
         piston.v = speed;
         piston.max_step = sub_step;
+        piston.open = open;
         scene.add_structure(&parallel, Box::new(piston), Slip::Free).unwrap();
         scene
     }
