@@ -127,7 +127,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// # Errors
     /// If the fluid or a structure cannot go on.
     pub fn step(&mut self, parallel: &Parallel, longest: T) -> Result<T, CouplingError> {
-        let dt = self.fluid.begin_step(parallel)?.min(longest).min(self.longest_coupled_step());
+        let dt = self.fluid.begin_step(parallel)?.min(longest);
         if self.audit_interval > 0 && self.fluid.steps().is_multiple_of(self.audit_interval) {
             self.audit(parallel);
         }

@@ -87,7 +87,7 @@ pub trait Structure<T: Real, const D: usize>: Send + Sync {
         );
     }
 
-    /// What the forces have to move. With it the scene finds what steps and sub-steps the fluid at the surface asks for
+    /// What the forces have to move. With it the scene finds how many sub-steps the fluid at the surface asks for
     /// ([`Scene::interface_border`](crate::Scene::interface_border)); a body that does not say is on its own when it is much lighter than a
     /// layer of fluid particles.
     fn inertia(&self) -> Inertia<'_, T> {
