@@ -1,6 +1,6 @@
 //! The solid of `mps-solid` as a structure the fluid can push.
 
-use crate::{Structure, StructureEnergy};
+use crate::{Inertia, Momenta, Structure, StructureEnergy};
 use mps_kernel::weights::WendlandC2;
 use mps_kernel::{Kernel, Real, Transfer, Vector};
 use mps_neighbors::Parallel;
@@ -78,6 +78,15 @@ where
     fn transfer(&mut self, transfer: &mut Transfer<'_>) {
         let Self { solid, no_force: _ } = self;
         solid.transfer(transfer);
+    }
+
+    fn inertia(&self) -> Inertia<'_, T> {
+        Inertia::Points(self.solid.particles().masses())
+    }
+
+    fn momenta(&self, parallel: &Parallel, center: &Vector<T, D>) -> Option<Momenta<T, D>> {
+        let (force, moment) = (self.solid.momentum(parallel), self.solid.angular_momentum(parallel, center));
+        Some(Momenta { force, moment })
     }
 
     fn as_any(&self) -> &dyn Any {

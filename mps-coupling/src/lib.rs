@@ -8,12 +8,13 @@ mod fixed;
 mod register;
 mod saved;
 mod scene;
+mod stability;
 mod structure;
 
-pub use budget::Budget;
+pub use budget::{Budget, Closure, Handed};
 pub use elastic::ElasticBody;
 pub use error::CouplingError;
 pub use fixed::Fixed;
 pub use register::Interface;
 pub use scene::Scene;
-pub use structure::{Structure, StructureEnergy};
+pub use structure::{Inertia, Momenta, Structure, StructureEnergy};

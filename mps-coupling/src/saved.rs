@@ -1,8 +1,8 @@
 //! The state of a coupled scene, out of it and into it again.
 
 use crate::scene::Body;
-use crate::{Budget, Interface, Scene};
-use mps_fluid::Viscosity;
+use crate::{Budget, Handed, Interface, Scene};
+use mps_fluid::{Push, Viscosity};
 use mps_kernel::{Kernel, Real, Transfer};
 use mps_neighbors::{Domain, Parallel};
 
@@ -30,12 +30,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 impl<T: Real, const D: usize> Body<T, D> {
     fn transfer(&mut self, transfer: &mut Transfer<'_>) {
         // The start of a step is taken anew in every step.
-        let Self { structure, interface, range, force, start: _, impulse } = self;
+        let Self { structure, interface, range, force, start: _ } = self;
         transfer.same("first point of the boundary", range.start);
         transfer.within("body", |transfer| structure.transfer(transfer));
         transfer.within("interface", |transfer| interface.transfer(transfer));
         transfer.array("force", force);
-        transfer.value("impulse", impulse);
     }
 }
 
@@ -50,10 +49,34 @@ impl<T: Real, const D: usize> Interface<T, D> {
 
 impl<T: Real, const D: usize> Budget<T, D> {
     fn transfer(&mut self, transfer: &mut Transfer<'_>) {
-        let Self { impulse, work, residual, audits } = self;
-        transfer.value("impulse", impulse);
-        transfer.value("work", work);
+        // Whether the books are kept, and about which point, is said where the scene is built.
+        let Self { center: _, handed, fluid, residual, audits } = self;
+        for (index, handed) in handed.iter_mut().enumerate() {
+            transfer.within(&format!("structure {index}"), |transfer| handed.transfer(transfer));
+        }
+        if let Some(fluid) = fluid {
+            transfer_push("fluid", fluid, transfer);
+        }
         transfer.value("residual", residual);
         transfer.value("audits", audits);
     }
+}
+
+impl<T: Real, const D: usize> Handed<T, D> {
+    fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        let Self { push, work, off_line, size } = self;
+        transfer_push("handed", push, transfer);
+        transfer.value("work", work);
+        transfer.value("off the lines", off_line);
+        transfer.value("size of the impulses", &mut size[0]);
+        transfer.value("size of their moments", &mut size[1]);
+    }
+}
+
+fn transfer_push<T: Real, const D: usize>(name: &str, push: &mut Push<T, D>, transfer: &mut Transfer<'_>) {
+    let Push { force, moment } = push;
+    transfer.within(name, |transfer| {
+        transfer.value("impulse", force);
+        transfer.value("angular impulse", moment);
+    });
 }

@@ -1,8 +1,9 @@
 //! The nested time loop: a fluid and the structures it pushes.
 
-use crate::{Budget, CouplingError, Interface, Structure, StructureEnergy};
+use crate::budget::SubStep;
+use crate::{Budget, CouplingError, Handed, Interface, Structure, StructureEnergy};
 use core::ops::Range;
-use mps_fluid::{Fluid, FluidEnergy, Slip, Viscosity};
+use mps_fluid::{Fluid, FluidEnergy, Push, Slip, Viscosity};
 use mps_kernel::weights::Rational;
 use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::{Domain, Open, Parallel};
@@ -17,8 +18,6 @@ pub(crate) struct Body<T: Real, const D: usize> {
     pub(crate) force: Vec<Vector<T, D>>,
     /// Positions of its points at the start of the step \[m\].
     pub(crate) start: Vec<Vector<T, D>>,
-    /// Impulse handed over to it so far \[N s\].
-    pub(crate) impulse: Vector<T, D>,
 }
 
 impl<T: Real, const D: usize> Body<T, D> {
@@ -65,9 +64,8 @@ pub struct Scene<
     pub(crate) substeps: usize,
     /// The two sides of the interface are compared every so many steps; 0 never. Default 100.
     pub audit_interval: u64,
-    /// Sub-steps of the structures in one fluid step at least. Default 1. A structure knows the limit of its own vibrations only;
-    /// one that is lighter than a tenth of a layer of fluid particles needs more, because the fluid at its surface is the stiffer
-    /// spring (`docs/coupling.md`).
+    /// Sub-steps of the structures in one fluid step at least. Default 1. More are taken where a structure's own limit or the fluid at its
+    /// surface ([`interface_border`](Self::interface_border)) asks for them.
     pub min_substeps: usize,
     /// Sub-steps of a structure in one fluid step beyond which the scene is refused. Default 2000.
     pub max_substeps: usize,
@@ -118,7 +116,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         );
         let force = vec![Vector::zeros(); positions.len()];
         let start = positions.to_vec();
-        self.bodies.push(Body { structure, interface, range, force, start, impulse: Vector::zeros() });
+        self.bodies.push(Body { structure, interface, range, force, start });
+        self.budget.handed.push(Handed::default());
         Ok(index)
     }
 
@@ -132,7 +131,12 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if self.audit_interval > 0 && self.fluid.steps().is_multiple_of(self.audit_interval) {
             self.audit(parallel);
         }
+        let center = self.budget.center;
+        let at_start = self.budget.fluid.map(|_| self.fluid.push_by_structures(parallel, &center));
         self.advance_structures(parallel, dt)?;
+        if let (Some(fluid), Some(at_start)) = (&mut self.budget.fluid, at_start) {
+            *fluid += (at_start + self.fluid.push_since(&center)) * dt;
+        }
         self.fluid.finish_step(parallel, dt);
         for body in &self.bodies {
             let boundary = self.fluid.boundary_mut();
@@ -168,8 +172,14 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                 body.structure
                     .advance(parallel, &body.force, &gravity, sub_dt, 1)
                     .map_err(|source| CouplingError::Structure { index, time, source })?;
-                self.budget.book(&body.force, body.structure.mean_velocities(), sub_dt);
-                body.impulse += body.force.iter().fold(Vector::zeros(), |sum, f| sum + f) * sub_dt;
+                let step = SubStep {
+                    force: &body.force,
+                    velocity: body.structure.mean_velocities(),
+                    position: body.structure.positions(),
+                    start: &body.start,
+                    dt: sub_dt,
+                };
+                self.budget.handed[index].book(&self.budget.center, &step);
             }
             for body in &self.bodies {
                 body.show_velocities(&mut self.fluid);
@@ -189,7 +199,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     fn substeps_for(&self, parallel: &Parallel, dt: T) -> Result<usize, CouplingError> {
         let mut most = self.min_substeps.max(1) as f64;
         for (index, body) in self.bodies.iter().enumerate() {
-            let limit = body.structure.max_step(parallel);
+            let limit = body.structure.max_step(parallel).min(self.longest_substep(body));
             let substeps = (dt / limit).to_double().ceil();
             if substeps.is_nan() || substeps > self.max_substeps as f64 {
                 let (limit, dt) = (limit.to_double(), dt.to_double());
@@ -205,8 +215,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if reactive.is_empty() {
             return;
         }
-        let on_fluid = self.fluid.force_by_structures(parallel);
-        self.budget.audit(&self.fluid.boundary().force[reactive], on_fluid);
+        let on_fluid = self.fluid.push_by_structures(parallel, &self.budget.center);
+        self.budget.audit(&self.fluid.boundary().force[reactive], on_fluid.force);
     }
 
     /// Refreshes normals and wetted marks of all structures, for output and probes.
@@ -243,18 +253,21 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         self.bodies.get(index).map(|body| body.force.as_slice())
     }
 
-    /// Impulse handed over to structure number `index` so far \[N s\] (per metre of depth in 2D): its change over a time is the mean force in
-    /// that time, of which [`forces`](Self::forces) are a moment.
-    pub fn impulse(&self, index: usize) -> Option<Vector<T, D>> {
-        self.bodies.get(index).map(|body| body.impulse)
-    }
-
     /// Sub-steps the structures took in the last step.
     pub fn substeps(&self) -> usize {
         self.substeps
     }
 
-    /// Impulse and work handed over so far.
+    /// Begins the books anew, with moments about `center` \[m\], and from now on lets the fluid book what it receives as well
+    /// ([`Budget::closure`]), which costs another visit of its pairs with structures in every step. Belongs between steps.
+    pub fn keep_books(&mut self, center: Vector<T, D>) {
+        let Budget { handed, residual, audits, .. } = &self.budget;
+        let handed = vec![Handed::default(); handed.len()];
+        let (residual, audits) = (*residual, *audits);
+        self.budget = Budget { center, handed, fluid: Some(Push::default()), residual, audits };
+    }
+
+    /// What has been handed over so far.
     pub fn budget(&self) -> &Budget<T, D> {
         &self.budget
     }

@@ -1,5 +1,6 @@
 //! What a fluid needs of anything solid that moves.
 
+use mps_fluid::Push;
 use mps_kernel::{Real, Transfer, Vector};
 use mps_neighbors::Parallel;
 use std::any::Any;
@@ -22,6 +23,20 @@ impl<T: Real> StructureEnergy<T> {
         self.kinetic + self.strain + self.potential
     }
 }
+
+/// What a force on the points of a structure has to move.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Inertia<'a, T> {
+    /// Nobody has said.
+    Unknown,
+    /// The whole body at once: its mass \[kg\].
+    Rigid(T),
+    /// Each point by itself: the mass of each \[kg\].
+    Points(&'a [T]),
+}
+
+/// Momentum \[N s\] and angular momentum about a stated point \[N m s\] of a structure, as a [`Push`] that has given it to the structure.
+pub type Momenta<T, const D: usize> = Push<T, D>;
 
 /// A body the fluid can push: the solid of `mps-solid`, or the body of another simulator.
 ///
@@ -70,6 +85,19 @@ pub trait Structure<T: Real, const D: usize>: Send + Sync {
         transfer.refuse(
             "a structure of this type cannot be saved: implement `Structure::transfer` for it, or run the scene in one piece",
         );
+    }
+
+    /// What the forces have to move. With it the scene finds how many sub-steps the fluid at the surface asks for
+    /// ([`Scene::interface_border`](crate::Scene::interface_border)); a body that does not say is on its own when it is much lighter than a
+    /// layer of fluid particles.
+    fn inertia(&self) -> Inertia<'_, T> {
+        Inertia::Unknown
+    }
+
+    /// Momentum and angular momentum about `center` \[m\] by the structure's own books, which the coupling can be held against;
+    /// `None` if it keeps none.
+    fn momenta(&self, _parallel: &Parallel, _center: &Vector<T, D>) -> Option<Momenta<T, D>> {
+        None
     }
 
     /// The structure itself, for probes and output that know its type.

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::column::{C, Column, HEIGHT, L0, STIFFNESS, WATER, WIDTH, column, piston, total};
+use common::column::{C, Column, HEIGHT, L0, STIFFNESS, WATER, WIDTH, column, column_under, piston, total};
 use core::f64::consts::PI;
 use mps_neighbors::Parallel;
 
@@ -74,27 +74,77 @@ fn what_a_piston_gains_in_energy_goes_with_the_step() {
     }
 }
 
+/// Mass of a piston, four particles thick, of a density relative to the water's.
+fn of_density(density: f64) -> f64 {
+    density * 1000.0 * 4.0 * L0 * WIDTH
+}
+
+/// A piston without a spring for 0.05 s, a hundred steps of the water: largest energy over that of the start, infinite where
+/// the run ends, and the most sub-steps in a step.
+fn pushed(mass: f64, cfl: f64, least: usize, open: bool) -> (f64, usize) {
+    let mut scene = column_under(mass, 0.0, 1e-3, (cfl, f64::INFINITY), open);
+    scene.min_substeps = least;
+    let start = total(&scene);
+    let (mut largest, mut most) = (0.0_f64, 0);
+    while scene.fluid().time() < 0.05 {
+        match scene.step(&Parallel::serial(), f64::INFINITY) {
+            Ok(_) => largest = largest.max(total(&scene) / start),
+            Err(_) => return (f64::INFINITY, most),
+        }
+        most = most.max(scene.substeps());
+    }
+    (largest, most)
+}
+
 /// The fluid at the interface is a spring that the structure does not know of: a body lighter than a tenth of a layer of
 /// particles bursts when it takes one sub-step a step, and is calm with four (`docs/coupling.md`, examples/stability_map).
 #[test]
 fn a_piston_much_lighter_than_a_layer_of_water_needs_more_sub_steps_than_its_spring_asks_for() {
-    // Four particles thick, so that this times a hundredth of the water's density is 0.04 layers of water.
-    let largest = |density: f64, least: usize| {
-        let mass = density * 1000.0 * 4.0 * L0 * WIDTH;
-        let mut scene = column(mass, 0.0, 1e-3, (0.5, f64::INFINITY));
-        scene.min_substeps = least;
-        let start = total(&scene);
-        let mut largest = 0.0_f64;
-        for _ in 0..100 {
-            match scene.step(&Parallel::serial(), f64::INFINITY) {
-                Ok(_) => largest = largest.max(total(&scene) / start),
-                Err(_) => return f64::INFINITY,
-            }
-        }
-        largest
-    };
+    // A hundredth of the water's density, four particles thick, is 0.04 layers of water.
+    let largest = |density: f64, least: usize| pushed(of_density(density), 0.5, least, false).0;
     assert!(largest(0.01, 1) > 100.0, "the border has moved: {}", largest(0.01, 1));
     // The energy at the ends of symplectic steps swings by some tenths.
     assert!(largest(0.01, 4) < 1.5, "{}", largest(0.01, 4));
     assert!(largest(0.2, 1) < 1.5, "{}", largest(0.2, 1));
+}
+
+#[test]
+fn a_piston_that_tells_its_mass_gets_the_sub_steps_it_needs() {
+    for (cfl, density) in [(0.5, 0.01), (0.5, 0.015), (0.5, 0.03), (0.25, 0.003)] {
+        let (largest, substeps) = pushed(of_density(density), cfl, 1, true);
+        // At 0.6 of the border the energy at the ends of the steps swings by up to 1/(1 - 0.6).
+        assert!(largest < 2.5 && substeps > 1, "{density}: {largest} with {substeps} sub-steps");
+    }
+    assert_eq!(pushed(of_density(1.0), 0.5, 1, true).1, 1, "and a heavy one no more than before");
+}
+
+/// Lighter still, a body turns by more than half a turn on the spring of the fluid in a step, and no number of sub-steps helps; the step
+/// of the water has to be shorter.
+#[test]
+fn a_piston_far_too_light_grows_whatever_its_sub_steps() {
+    let turns = |cfl: f64| {
+        let mut scene = column_under(of_density(0.003), 0.0, 1e-3, (cfl, f64::INFINITY), true);
+        let _ = scene.step(&Parallel::serial(), 1e-5).unwrap();
+        2.0 * cfl * L0 / C / scene.interface_border(0).unwrap() / PI
+    };
+    assert!(turns(0.5) > 1.0 && turns(0.25) < 1.0, "half turns: {} and {}", turns(0.5), turns(0.25));
+    let [long, short] = [0.5, 0.25].map(|cfl| pushed(of_density(0.003), cfl, 32, false).0);
+    assert!(long > 100.0 && short < 1.5, "{long} and {short}");
+}
+
+/// The border in the mass, between what bursts and what does not, where the sub-step has a given number in a step: measured against
+/// `2/sqrt(lambda)`.
+#[test]
+fn the_border_of_stability_is_where_the_spring_of_the_fluid_says() {
+    for (cfl, substeps) in [(0.5, 1), (0.25, 1), (0.25, 2)] {
+        let (mut bursts, mut calm) = (of_density(1e-4), of_density(1.0));
+        while calm / bursts > 1.02 {
+            let middle = (calm * bursts).sqrt();
+            if pushed(middle, cfl, substeps, false).0 < 1e4 { calm = middle } else { bursts = middle }
+        }
+        let mut scene = column_under(calm, 0.0, 1e-3, (cfl, f64::INFINITY), true);
+        let _ = scene.step(&Parallel::serial(), 1e-5).unwrap();
+        let share = cfl * L0 / C / substeps as f64 / scene.interface_border(0).unwrap();
+        assert!((0.85..1.05).contains(&share), "Courant number {cfl}, {substeps} sub-steps: {share}");
+    }
 }

@@ -19,7 +19,7 @@
 use crate::boundary::Shear;
 use crate::eos::EquationOfState;
 use crate::terms::Viscosity;
-use crate::{Fluid, Tension};
+use crate::{Fluid, Push, Tension};
 use mps_kernel::{Kernel, Neighborhood, Pair, Real, Tensor, Vector};
 use mps_neighbors::{Domain, Parallel};
 
@@ -43,6 +43,8 @@ pub(crate) struct Exchange<T: Real, const D: usize> {
     point_links: Vec<Link<T, D>>,
     /// Place of a fluid particle in `wetted`; meaningful for those only.
     place: Vec<u32>,
+    /// Sum of the vectors of a wetted particle's links and of their lengths \[1/m\].
+    reach: Vec<(Vector<T, D>, T)>,
     /// Pressure before clipping and its rise since the start of the step \[Pa\].
     raw: Vec<T>,
     rise: Vec<T>,
@@ -103,6 +105,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                 exchange.wetted.push(i as u32);
                 exchange.wetted_start.push(before as u32);
                 exchange.raw.push(self.eos.pressure(self.particles.density[i]));
+                let zero = (Vector::zeros(), T::zero());
+                let reach = exchange.wetted_links[before..]
+                    .iter()
+                    .fold(zero, |(sum, size), link| (sum + link.vector, size + link.vector.norm()));
+                exchange.reach.push(reach);
             }
         }
         let wetted = exchange.wetted.len();
@@ -171,6 +178,32 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         drag * self.config.particle_mass()
     }
 
+    /// The spring that the fluid of the present step is to reactive point `a` \[N/m\]. Displacements `q_b` of points compress the particles
+    /// and bring back the forces `-sum_b K_ab q_b` with
+    ///
+    /// `K_ab = 4 (D/n0)^2 V rho0 c^2 sum_i g_ia (x) g_ib`.
+    ///
+    /// Returned are its share in the trace for a body that moves as a whole, and a bound for any motion, `sum_b |K_ab|`.
+    /// Zero outside [`begin_step`](Fluid::begin_step) and the sub-steps.
+    pub fn interface_stiffness(&self, a: usize) -> (T, T) {
+        let exchange = &self.exchange;
+        let k = a - self.boundary.reactive().start;
+        if exchange.point_start.len() <= k + 1 {
+            return (T::zero(), T::zero());
+        }
+        let config = &self.config;
+        let pair = T::of(2.0) * self.reference.gradient_factor::<D>();
+        let factor =
+            pair * pair * config.particle_volume() * config.density * config.sound_speed * config.sound_speed;
+        let links = exchange.point_start[k] as usize..exchange.point_start[k + 1] as usize;
+        let zero = (T::zero(), T::zero());
+        let (whole, any) = exchange.point_links[links].iter().fold(zero, |(whole, any), link| {
+            let (sum, size) = &exchange.reach[link.other as usize];
+            (whole + link.vector.dot(sum), any + link.vector.norm() * *size)
+        });
+        (whole * factor, any * factor)
+    }
+
     /// Takes note of the velocities that the structures have at the start of a sub-step, which are those of their boundary points now: the
     /// forces of the sub-step follow them, and so will the reaction.
     pub fn follow_shear(&mut self) {
@@ -212,25 +245,41 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// Adds the mean change of pressure over the sub-steps to the accelerations of the fluid: the
     /// reaction to what the structures have felt.
     pub(crate) fn finish_exchange(&mut self) {
+        for k in 0..self.exchange.answered() {
+            let [pressure, shear] = self.reaction_since(k);
+            let acceleration = &mut self.rates.acceleration[self.exchange.wetted[k] as usize];
+            *acceleration += pressure;
+            *acceleration += shear;
+        }
+    }
+
+    /// Acceleration of wetted particle number `k` by what pressure and shear have each changed by since the start of the step, mean over the
+    /// sub-steps \[m/s^2\].
+    fn reaction_since(&self, k: usize) -> [Vector<T, D>; 2] {
         let exchange = &self.exchange;
-        if exchange.substeps == 0 {
-            return;
+        let substeps = T::of(exchange.substeps as f64);
+        let factor = -T::of(2.0) * self.reference.gradient_factor::<D>() / (self.config.density * substeps);
+        let links = exchange.wetted_start[k] as usize..exchange.wetted_start[k + 1] as usize;
+        let sum = exchange.wetted_links[links.clone()].iter().fold(Vector::zeros(), |sum, l| sum + l.vector);
+        let pressure = sum * (exchange.sum[k] * factor);
+        if exchange.slide.is_empty() {
+            return [pressure, Vector::zeros()];
         }
-        let factor = -T::of(2.0) * self.reference.gradient_factor::<D>()
-            / (self.config.density * T::of(exchange.substeps as f64));
-        for (k, &i) in exchange.wetted.iter().enumerate() {
-            let links = exchange.wetted_start[k] as usize..exchange.wetted_start[k + 1] as usize;
-            let sum =
-                exchange.wetted_links[links.clone()].iter().fold(Vector::zeros(), |sum, l| sum + l.vector);
-            self.rates.acceleration[i as usize] += sum * (exchange.sum[k] * factor);
-            if !exchange.slide.is_empty() {
-                let pairs = exchange.wetted_links[links.clone()].iter().zip(&exchange.wetted_drag[links]);
-                let shear = pairs.fold(Vector::zeros(), |sum, (link, drag)| {
-                    sum + drag * exchange.slide[link.other as usize]
-                });
-                self.rates.acceleration[i as usize] += shear / T::of(exchange.substeps as f64);
-            }
-        }
+        let pairs = exchange.wetted_links[links.clone()].iter().zip(&exchange.wetted_drag[links]);
+        let shear =
+            pairs.fold(Vector::zeros(), |sum, (link, drag)| sum + drag * exchange.slide[link.other as usize]);
+        [pressure, shear / substeps]
+    }
+
+    /// What the structures have done to the fluid in the sub-steps so far beyond [`push_by_structures`](Fluid::push_by_structures), mean
+    /// over the sub-steps, about `center` \[m\].
+    pub fn push_since(&self, center: &Vector<T, D>) -> Push<T, D> {
+        let mass = self.config.particle_mass();
+        (0..self.exchange.answered()).fold(Push::default(), |sum, k| {
+            let arm = self.particles.position[self.exchange.wetted[k] as usize] - center;
+            let [pressure, shear] = self.reaction_since(k);
+            sum + Push::at(&arm, &((pressure + shear) * mass))
+        })
     }
 
     /// Power \[W\] of the mean change of pressure over the sub-steps at the mean velocities of the structures.
@@ -253,10 +302,16 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 }
 
 impl<T: Real, const D: usize> Exchange<T, D> {
+    /// Number of particles that have an answer: none before the first sub-step.
+    fn answered(&self) -> usize {
+        if self.substeps == 0 { 0 } else { self.wetted.len() }
+    }
+
     fn clear(&mut self) {
         self.wetted.clear();
         self.wetted_start.clear();
         self.wetted_links.clear();
+        self.reach.clear();
         self.point_start.clear();
         self.point_links.clear();
         for field in [&mut self.raw, &mut self.rise, &mut self.change, &mut self.sum] {

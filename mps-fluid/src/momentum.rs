@@ -1,5 +1,6 @@
 //! The first sweep of a step: accelerations, the gradient of n and the measures of packing.
 
+use crate::Push;
 use crate::fluid::{Flow, State};
 use crate::gather::Gather;
 use crate::no_slip::NoSlip;
@@ -92,37 +93,34 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         sum * mass
     }
 
-    /// Force \[N\] of all reactive points on the fluid, summed over the fluid particles: what the
-    /// momentum audit holds against the sum of [`Boundary::force`](crate::Boundary::force).
-    pub fn force_by_structures(&self, parallel: &Parallel) -> Vector<T, D> {
+    /// What all reactive points do to the fluid at the start of the step, about `center` \[m\], summed over the fluid particles:
+    /// what the audit holds against the sum of [`Boundary::force`](crate::Boundary::force). Belongs behind
+    /// [`begin_step`](Fluid::begin_step), before any point has another velocity.
+    pub fn push_by_structures(&self, parallel: &Parallel, center: &Vector<T, D>) -> Push<T, D> {
         let reactive = self.boundary.reactive();
         if reactive.is_empty() {
-            return Vector::zeros();
+            return Push::default();
         }
         let wall = self.wall_pair();
         let (walls, no_slip) = (self.boundary_view(), self.no_slip());
         let state = &self.rates.state;
         let pressure_factor = -self.reference.gradient_factor::<D>() / self.config.density;
-        let sum = parallel.fold(
-            state.len(),
-            Vector::<T, D>::zeros(),
-            &|i| {
-                let mut sum = Vector::<T, D>::zeros();
-                let (own, pi) = (&state[i], self.particles.pressure[i]);
-                walls.for_each(i, |pair| {
-                    let a = pair.j;
-                    if reactive.contains(&a) {
-                        let pressure = self.corrected(i, wall.pressure_sum(pi, own, &self.boundary, pair));
-                        let shear = self.viscosity.pair(pair, &own.velocity, &self.boundary.velocity[a]);
-                        sum += pressure * pressure_factor;
-                        sum += shear * no_slip.share(i, pair);
-                    }
-                });
-                sum
-            },
-            &|a, b| a + b,
-        );
-        sum * self.config.particle_mass()
+        let mass = self.config.particle_mass();
+        let push_on = |i: usize| {
+            let mut sum = Vector::<T, D>::zeros();
+            let (own, pi) = (&state[i], self.particles.pressure[i]);
+            walls.for_each(i, |pair| {
+                let a = pair.j;
+                if reactive.contains(&a) {
+                    let pressure = self.corrected(i, wall.pressure_sum(pi, own, &self.boundary, pair));
+                    let shear = self.viscosity.pair(pair, &own.velocity, &self.boundary.velocity[a]);
+                    sum += pressure * pressure_factor;
+                    sum += shear * no_slip.share(i, pair);
+                }
+            });
+            Push::at(&(self.particles.position[i] - center), &(sum * mass))
+        };
+        parallel.fold(state.len(), Push::default(), &push_on, &|a, b| a + b)
     }
 }
 

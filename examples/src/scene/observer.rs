@@ -71,7 +71,7 @@ impl<T: Real> Observer<T> {
         let mut row = vec![world.time()];
         self.probes.iter_mut().for_each(|probe| probe.measure(world, &mut row));
         let (fluid, solid) = world.energy(parallel);
-        let work = world.coupled().map_or(0.0, |scene| scene.budget().work.to_double());
+        let work = world.coupled().map_or(0.0, |scene| scene.budget().work().to_double());
         row.extend([
             fluid.total().to_double() + solid.total().to_double(),
             fluid.kinetic.to_double(),

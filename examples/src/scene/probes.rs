@@ -100,8 +100,9 @@ impl<T: Real> Probe<T> {
     pub(super) fn measure<K: Kernel<T>>(&mut self, world: &World<T, K>, row: &mut Vec<f64>) {
         if let Sense::Force { bodies, impulse, time } = &mut self.sense {
             let since = world.time() - *time;
-            let all = bodies.iter().filter_map(|body| world.coupled()?.impulse(*body));
-            let now: [f64; 2] = all.fold(Vector::zeros(), |sum, one| sum + one.map(Real::to_double)).into();
+            let all = bodies.iter().filter_map(|body| world.coupled()?.budget().handed.get(*body));
+            let sum = all.fold(Vector::zeros(), |sum, handed| sum + handed.push.force.map(Real::to_double));
+            let now: [f64; 2] = sum.into();
             row.extend([0, 1].map(|axis| (now[axis] - impulse[axis]) / since));
             (*impulse, *time) = (now, world.time());
             return;

@@ -1,7 +1,7 @@
 //! Scenes shared by the tests.
 #![allow(dead_code, unreachable_pub, reason = "every test uses its own part")]
 
-use mps_coupling::{ElasticBody, Scene, Structure, StructureEnergy};
+use mps_coupling::{ElasticBody, Inertia, Scene, Structure, StructureEnergy};
 use mps_fluid::{
     ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait,
 };
@@ -14,8 +14,8 @@ use mps_solid::{Solid, SolidConfig};
 use std::any::Any;
 use std::error::Error;
 
-pub type Rubber = ElasticBody<f64, 2, CorotationalHooke<f64>>;
-pub type Wet = Scene<f64, 2, Rational, ArtificialViscosity<f64>>;
+pub type Rubber<const D: usize = 2> = ElasticBody<f64, D, CorotationalHooke<f64>>;
+pub type Wet<const D: usize = 2> = Scene<f64, D, Rational, ArtificialViscosity<f64>>;
 
 /// Reproducible noise in [-1, 1).
 pub struct Noise(u64);
@@ -30,28 +30,42 @@ impl Noise {
         (self.0 >> 33) as f64 / (1_u64 << 30) as f64 - 1.0
     }
 
-    pub fn vector(&mut self, size: f64) -> Vector<f64, 2> {
+    pub fn vector<const D: usize>(&mut self, size: f64) -> Vector<f64, D> {
         Vector::from_fn(|_, _| size * self.next())
     }
 }
 
 /// Cell centres of the lattice with spacing `l0` in a box of `counts` cells from `corner`.
-pub fn lattice(corner: [f64; 2], counts: [usize; 2], l0: f64) -> Vec<Vector<f64, 2>> {
-    let at = |k: usize, axis: usize| corner[axis] + (k as f64 + 0.5) * l0;
-    (0..counts[0] * counts[1]).map(|k| Vector::from([at(k % counts[0], 0), at(k / counts[0], 1)])).collect()
+pub fn lattice<const D: usize>(corner: [f64; D], counts: [usize; D], l0: f64) -> Vec<Vector<f64, D>> {
+    let total: usize = counts.iter().product();
+    (0..total)
+        .map(|mut k| {
+            Vector::from_fn(|axis, _| {
+                let cell = k % counts[axis];
+                k /= counts[axis];
+                corner[axis] + (cell as f64 + 0.5) * l0
+            })
+        })
+        .collect()
 }
 
-pub fn rubber(lower: [f64; 2], upper: [f64; 2], counts: [usize; 2], clamp: &[Face], modulus: f64) -> Rubber {
+pub fn rubber<const D: usize>(
+    lower: [f64; D],
+    upper: [f64; D],
+    counts: [usize; D],
+    clamp: &[Face],
+    modulus: f64,
+) -> Rubber<D> {
     Rubber::new(block(lower, upper, counts, clamp, modulus))
 }
 
-pub fn block(
-    lower: [f64; 2],
-    upper: [f64; 2],
-    counts: [usize; 2],
+pub fn block<const D: usize>(
+    lower: [f64; D],
+    upper: [f64; D],
+    counts: [usize; D],
     clamp: &[Face],
     modulus: f64,
-) -> Solid<f64, 2, CorotationalHooke<f64>> {
+) -> Solid<f64, D, CorotationalHooke<f64>> {
     let body = body::block(lower.into(), upper.into(), counts, clamp).unwrap();
     let material = CorotationalHooke::new(modulus, 0.4).unwrap();
     let config = SolidConfig::default();
@@ -59,28 +73,36 @@ pub fn block(
     Solid::new(body.particles, body.spacing, 1100.0, material, WendlandC2, config, &serial).unwrap()
 }
 
-pub fn solid_of(scene: &Wet) -> &Solid<f64, 2, CorotationalHooke<f64>> {
-    scene.structure(0).unwrap().as_any().downcast_ref::<Rubber>().unwrap().solid()
+pub fn solid_of<const D: usize>(scene: &Wet<D>) -> &Solid<f64, D, CorotationalHooke<f64>> {
+    scene.structure(0).unwrap().as_any().downcast_ref::<Rubber<D>>().unwrap().solid()
 }
 
 /// A rubber block that floats in a blob of fluid, alone in space. The fluid moves at random with up
 /// to `speed` and drifts past the block.
 pub fn floating(speed: f64) -> Wet {
+    floating_in(speed, 24, 8)
+}
+
+/// The same in any dimension: the blob has `across` particles along each axis, the block in its middle `wide`.
+pub fn floating_in<const D: usize>(speed: f64, across: usize, wide: usize) -> Wet<D> {
     let (l0, c) = (0.01, 10.0);
     let parallel = Parallel::serial();
-    let inside = |r: &Vector<f64, 2>| r.iter().all(|&x| x > 8.0 * l0 && x < 16.0 * l0);
-    let points = lattice([0.0; 2], [24, 24], l0).into_iter().filter(|r| !inside(r)).collect();
+    let [from, to] = [(across - wide) / 2, usize::midpoint(across, wide)].map(|k| k as f64 * l0);
+    let inside = |r: &Vector<f64, D>| r.iter().all(|&x| x > from && x < to);
+    let points = lattice([0.0; D], [across; D], l0).into_iter().filter(|r| !inside(r)).collect();
     let mut particles = FluidParticles::at_rest(points);
     let mut noise = Noise::new(5);
+    let mut drift = Vector::zeros();
+    drift[0] = speed;
     for (u, n) in particles.velocity.iter_mut().zip(&mut particles.density) {
-        *u = Vector::from([speed, 0.0]) + noise.vector(speed);
+        *u = drift + noise.vector::<D>(speed);
         *n += 0.005 * (1.0 + noise.next());
     }
-    let viscosity = |r: &_| ArtificialViscosity::new::<2>(0.05, c, r);
+    let viscosity = |r: &_| ArtificialViscosity::new::<D>(0.05, c, r);
     let config = FluidConfig::water(l0, c);
     let fluid = Fluid::new(config, Rational, viscosity, Open, particles, Boundary::default()).unwrap();
     let mut scene = Scene::new(fluid);
-    let block = rubber([8.0 * l0; 2], [16.0 * l0; 2], [8, 8], &[], 1e6);
+    let block = rubber([from; D], [to; D], [wide; D], &[], 1e6);
     scene.add_structure(&parallel, Box::new(block), Slip::Free).unwrap();
     scene
 }
@@ -140,6 +162,8 @@ pub struct Piston {
     pub y: f64,
     pub v: f64,
     pub max_step: f64,
+    /// Whether it tells its mass.
+    pub open: bool,
     pub breaks: bool,
 }
 
@@ -156,6 +180,7 @@ impl Piston {
             y: 0.0,
             v: 0.0,
             max_step: f64::INFINITY,
+            open: false,
             breaks: false,
         }
     }
@@ -180,6 +205,10 @@ impl Structure<f64, 2> for Piston {
 
     fn max_step(&self, _parallel: &Parallel) -> f64 {
         self.max_step
+    }
+
+    fn inertia(&self) -> Inertia<'_, f64> {
+        if self.open { Inertia::Rigid(self.mass) } else { Inertia::Unknown }
     }
 
     fn advance(
@@ -243,7 +272,18 @@ pub mod column {
 
     /// The piston has the given mass and spring and begins with `speed`; it moves in sub-steps of at most `sub_step`, the water with
     /// the Courant number `cfl`.
-    pub fn column(mass: f64, stiffness: f64, speed: f64, (cfl, sub_step): (f64, f64)) -> Column {
+    pub fn column(mass: f64, stiffness: f64, speed: f64, steps: (f64, f64)) -> Column {
+        column_under(mass, stiffness, speed, steps, false)
+    }
+
+    /// As [`column`]; the piston may tell its mass.
+    pub fn column_under(
+        mass: f64,
+        stiffness: f64,
+        speed: f64,
+        (cfl, sub_step): (f64, f64),
+        open: bool,
+    ) -> Column {
         let parallel = Parallel::serial();
         let mut config = FluidConfig::water(L0, C);
         config.tension = Tension::Keep;
@@ -257,6 +297,7 @@ pub mod column {
         let mut piston = Piston::new(lattice([0.0, HEIGHT], [COLUMNS, 4], L0), L0, mass, stiffness);
         piston.v = speed;
         piston.max_step = sub_step;
+        piston.open = open;
         scene.add_structure(&parallel, Box::new(piston), Slip::Free).unwrap();
         scene
     }

@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
 use crate::common::{Noise, fill, lattice, tank, water};
+use mps_fluid::surface::Surface;
 use mps_fluid::surface::Surface::{Detached, Free, Inner};
-use mps_fluid::surface::{GAP_LIMIT, Surface, has_gap, largest_gap};
 use mps_fluid::{Boundary, Fluid, FluidConfig, FluidParticles};
 use mps_kernel::Vector;
 use mps_kernel::weights::Rational;
@@ -170,37 +170,6 @@ fn a_cube_has_its_faces_as_surface() {
             _ => assert_ne!(class, Inner, "{r}"),
         }
     }
-}
-
-#[test]
-fn the_largest_gap_is_the_angle_nobody_stands_in() {
-    let at = |degrees: f64| {
-        let (sin, cos) = degrees.to_radians().sin_cos();
-        Vector::<f64, 2>::new(cos, sin)
-    };
-    let gap = |angles: &[f64]| largest_gap(&angles.iter().map(|&a| at(a)).collect::<Vec<_>>()).to_degrees();
-    assert_eq!(gap(&[]), 360.0);
-    assert!((gap(&[77.0]) - 360.0).abs() < 1e-9);
-    assert!((gap(&[0.0, 90.0, 180.0, 270.0]) - 90.0).abs() < 1e-9);
-    assert!((gap(&[170.0, -170.0, 30.0]) - 200.0).abs() < 1e-9, "from -170 on, not from 170");
-    assert!((gap(&[-100.0, 0.0, 100.0]) - 160.0).abs() < 1e-9, "across the cut of atan2");
-    // A turn of everything changes nothing.
-    for turn in [13.0, 95.0, 180.0, 271.0] {
-        assert!((gap(&[turn, turn + 50.0, turn + 200.0]) - 160.0).abs() < 1e-9);
-    }
-}
-
-#[test]
-fn in_space_a_gap_is_a_cone() {
-    let half: Vec<_> = lattice::<f64, 3>([-2.5; 3], [5; 3], 1.0)
-        .into_iter()
-        .filter(|r| r.norm() > 0.5 && r.norm() < 2.5)
-        .collect();
-    assert!(!has_gap(&half, &Vector::zeros(), GAP_LIMIT), "all around");
-    let below: Vec<_> = half.into_iter().filter(|r| r.z < 0.5).collect();
-    assert!(has_gap(&below, &Vector::zeros(), GAP_LIMIT), "open above");
-    let tilted: Vec<_> = below.iter().map(|r| Vector::<f64, 3>::new(r.z, r.x, r.y)).collect();
-    assert!(has_gap(&tilted, &Vector::zeros(), GAP_LIMIT), "open to a side");
 }
 
 #[test]

@@ -13,6 +13,7 @@ mod conservation;
 mod corrected;
 mod determinism;
 mod free_surface;
+mod gaps;
 mod hydrostatic;
 mod impacts;
 mod leaks;

@@ -26,6 +26,10 @@ const COLUMNS: &[&str] = &[
     "time step [s]",
     "sub-steps [-]",
     "wetted gate points [-]",
+    "impulse on gate x [N s/m]",
+    "impulse on gate y [N s/m]",
+    "angular impulse on gate about the origin [N s]",
+    "of it off the lines of the pairs [N s]",
 ];
 
 /// The record of a run.
@@ -95,6 +99,7 @@ impl<T: Real> Observer<T> {
         let end = free_end(gate_positions(scene), &self.reference, self.across);
         self.end.push((time, end));
         let (fluid, gate) = scene.energy(parallel);
+        let handed = scene.budget().handed.first().copied().unwrap_or_default();
         let wetted = scene.interface(0).map_or(0, |interface| interface.wetted_count());
         self.csv.row(&[
             time,
@@ -110,10 +115,14 @@ impl<T: Real> Observer<T> {
             gate.kinetic.to_double(),
             gate.strain.to_double(),
             gate.potential.to_double(),
-            scene.budget().work.to_double(),
+            scene.budget().work().to_double(),
             dt,
             scene.substeps() as f64,
             wetted as f64,
+            handed.push.force.x.to_double(),
+            handed.push.force.y.to_double(),
+            handed.push.moment[(0, 1)].to_double(),
+            handed.off_line[(0, 1)].to_double(),
         ])?;
         Ok(())
     }

@@ -73,7 +73,7 @@ impl<'a, T: Real> Run<'a, T> {
 
     fn write_row(&mut self, dt: f64) -> Result<(), Failure> {
         let time = self.time();
-        let impulse: [f64; 2] = self.scene.budget().impulse.map(Real::to_double).into();
+        let impulse: [f64; 2] = self.scene.budget().impulse().map(Real::to_double).into();
         let since = self.samples.last().map_or(f64::INFINITY, |sample| time - sample.time);
         let force = [0, 1].map(|axis| (impulse[axis] - self.impulse[axis]) / since);
         self.impulse = impulse;

@@ -69,7 +69,7 @@ impl<T: Real> Observer<T> {
             }
             _ => Vector::zeros(),
         };
-        let impulse: [f64; 2] = scene.budget().impulse.map(Real::to_double).into();
+        let impulse: [f64; 2] = scene.budget().impulse().map(Real::to_double).into();
         let since = self.samples.last().map_or(f64::INFINITY, |sample| time - sample.time);
         let force = [0, 1].map(|axis| (impulse[axis] - self.impulse[axis]) / since);
         self.impulse = impulse;
@@ -97,7 +97,7 @@ impl<T: Real> Observer<T> {
             count,
             bodies.kinetic.to_double(),
             bodies.strain.to_double(),
-            scene.budget().work.to_double(),
+            scene.budget().work().to_double(),
             dt,
             scene.substeps() as f64,
         ])?;

@@ -47,6 +47,8 @@ impl Case for Exchange {
     fn run(&self, n: usize, _: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {
         let mut scene = blob(1.0 / n as f64, parallel)?;
         let start = sums(&scene, parallel)?;
+        // About a point off the middle.
+        scene.keep_books(Vector::from([0.3, -0.2]));
         let mut changes = [0.0_f64; 3];
         while scene.fluid().time() < END {
             scene.step(parallel, f64::INFINITY)?;
@@ -59,12 +61,24 @@ impl Case for Exchange {
         let [momentum, angular, energy] = changes;
         let kept = "analytic: kept";
         let residual = scene.budget().residual;
+        let closure = scene.budget().closure().unwrap_or_default();
         Ok(Outcome {
             measures: vec![
                 Measure::new("action and reaction", "-", residual, 0.0, "Newton").within(1e-12, 2),
                 Measure::new("momentum, largest change", "sum m u", momentum, 0.0, kept).within(1e-12, 2),
                 Measure::new("angular momentum, largest change", "L0", angular, 0.0, kept),
                 Measure::new("energy, largest change", "E0", energy, 0.0, kept),
+                Measure::new("books, momentum", "sum |f| dt", closure.momentum, 0.0, "Newton")
+                    .within(1e-12, 2),
+                Measure::new("books, angular momentum", "sum |r x f| dt", closure.angular, 0.0, "Newton")
+                    .within(1e-12, 2),
+                Measure::new(
+                    "books, off the lines of the pairs",
+                    "sum |r x f| dt",
+                    closure.off_line,
+                    0.0,
+                    kept,
+                ),
             ],
             curves: Vec::new(),
         })

@@ -13,6 +13,7 @@ pub(crate) fn cases() -> Vec<Box<dyn Case>> {
         Box::new(exchange::Exchange),
         Box::new(added_mass::AddedMass),
         Box::new(plate::Plate),
+        Box::new(plate::Square),
         Box::new(submerged::Submerged),
     ]
 }

@@ -45,14 +45,14 @@ impl Case for Submerged {
                 time.push(scene.fluid().time());
                 moved.push(deflection(&scene, &end, &settings));
                 if scene.fluid().time() < (1.0 - READ) * until {
-                    impulse = scene.budget().impulse[1];
+                    impulse = scene.budget().impulse()[1];
                 }
             }
         }
         let from = time.partition_point(|t| *t < (1.0 - READ) * until);
         let since = scene.fluid().time() - time[from.saturating_sub(1)];
         let mean = moved[from..].iter().sum::<f64>() / (moved.len() - from) as f64;
-        let lift = (scene.budget().impulse[1] - impulse) / since;
+        let lift = (scene.budget().impulse()[1] - impulse) / since;
         let displaced = WATER * submerged::GRAVITY * LENGTH * THICKNESS;
         let dry = submerged::dry_deflection::<f64>(&settings, parallel)?;
         let y = moved.iter().map(|x| 1e3 * x).collect();
