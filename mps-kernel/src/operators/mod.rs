@@ -8,6 +8,7 @@
 //! | divergence with the ratio of n | [`ConservativeDivergence`] | eq. 23, misprint corrected | `conservation.rs`, `polynomials.rs` |
 //! | Laplacian | [`Laplacian`] | eqs. 16, 25 | `polynomials.rs` |
 //! | Laplacian of near neighbours | [`CompactLaplacian`] | Morris et al. 1997 | `polynomials.rs` |
+//! | Laplacian along the line of each pair | [`CentralLaplacian`] | Monaghan and Gingold 1983 | `surface_strain.rs` |
 //! | density-diffusion filter | [`DiffusionFilter`] | eq. 20 | `diffusion.rs`, `von_neumann.rs` |
 //! | density diffusion with the hydrostatic part removed | [`HydrostaticDiffusion`] | Amaro et al. 2022, eq. 20 | `diffusion.rs` |
 //! | corrected matrix and its inverse | [`MomentMatrix`], [`invert_moment`] | eq. 22 | `gradient.rs`, `degenerate.rs` |
@@ -16,6 +17,7 @@
 //! All of them stay finite on coincident particles (`degenerate.rs`) and see nothing of where the origin
 //! is (`far_from_origin.rs`).
 
+mod central;
 mod diffusion;
 mod divergence;
 mod gradient;
@@ -23,6 +25,7 @@ mod laplacian;
 mod moment;
 mod number_density;
 
+pub use central::CentralLaplacian;
 pub use diffusion::{DiffusionFilter, HydrostaticDiffusion};
 pub use divergence::{ConservativeDivergence, Divergence};
 pub use gradient::{ConservativeGradient, Gradient};

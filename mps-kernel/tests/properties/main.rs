@@ -32,6 +32,7 @@ mod polar;
 mod polynomials;
 mod reference_density;
 mod strained_lattice;
+mod surface_strain;
 mod tensor;
 mod von_neumann;
 mod weights;
