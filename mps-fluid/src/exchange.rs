@@ -135,12 +135,12 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
     /// `K_ia` of a pair seen from fluid particle `i` \[1/s\]: its shear is this times the difference of the velocities.
     fn drag_of(&self, i: usize, pair: &Pair<T, D>) -> Tensor<T, D> {
-        let share = self.no_slip().share(i, pair);
+        let no_slip = self.no_slip();
         let mut drag = Tensor::<T, D>::zeros();
         for axis in 0..D {
             let mut along = Vector::<T, D>::zeros();
-            along[axis] = share;
-            drag.set_column(axis, &self.viscosity.pair(pair, &Vector::zeros(), &along));
+            along[axis] = T::one();
+            drag.set_column(axis, &no_slip.shear(&self.viscosity, i, pair, &Vector::zeros(), &along));
         }
         drag
     }

@@ -64,6 +64,8 @@ pub(crate) struct Rates<T: Real, const D: usize> {
     pub(crate) density_rate: Vec<T>,
     /// `C_i` of the corrected pressure; empty in the plain form.
     pub(crate) pressure_correction: Vec<Tensor<T, D>>,
+    /// What the viscosity of each particle is multiplied with; empty unless the viscosity asks for it.
+    pub(crate) completion: Vec<T>,
     /// Where the wall is to which the fluid sticks: see [`NoSlip`](crate::no_slip::NoSlip).
     pub(crate) toward_wall: Vec<Vector<T, D>>,
     /// Velocity or position change of the regularisation, in its units.
@@ -191,6 +193,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         self.evaluate_pressure(parallel);
         self.sweep_correction(parallel);
         self.locate_walls(parallel);
+        self.sweep_completion(parallel);
         self.sweep_momentum(parallel);
         self.hold_outlets(parallel);
         self.react(parallel);

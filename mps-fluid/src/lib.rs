@@ -6,6 +6,7 @@
 
 mod boundary;
 mod budget;
+mod completion;
 mod config;
 mod continuity;
 mod correction;
@@ -38,4 +39,4 @@ pub use fluid::Fluid;
 pub use open::{Inlet, Opening, Outlet};
 pub use particles::FluidParticles;
 pub use regularize::{Dpc, Shifting};
-pub use terms::{ArtificialViscosity, CompactViscosity, LaminarViscosity, Viscosity};
+pub use terms::{ArtificialViscosity, CompactViscosity, CompletedViscosity, LaminarViscosity, Viscosity};

@@ -1,5 +1,6 @@
 //! The first sweep of a step: accelerations, the gradient of n and the measures of packing.
 
+use crate::completion::add_viscosity;
 use crate::fluid::{Flow, State};
 use crate::gather::Gather;
 use crate::no_slip::NoSlip;
@@ -43,6 +44,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             correction: &self.rates.pressure_correction,
             boundary: &self.boundary,
             no_slip: self.no_slip(),
+            completion: &self.rates.completion,
             wall: self.wall_pair(),
             viscosity: self.viscosity,
             gravity: self.config.gravity,
@@ -83,8 +85,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             // The same pair, seen from the fluid particle.
             let seen = mps_kernel::Pair { j: a, r_ij: -pair.r_ij, ..*pair };
             let pressure = self.corrected(pair.j, wall.pressure_sum(own, boundary, &seen));
-            let shear = self.viscosity.pair(&seen, &own.velocity, &boundary.velocity[a])
-                * no_slip.share(pair.j, &seen);
+            let shear = no_slip.shear(&self.viscosity, pair.j, &seen, &own.velocity, &boundary.velocity[a]);
             sum += pressure * pressure_factor - shear;
         });
         sum * mass
@@ -111,9 +112,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                     let a = pair.j;
                     if reactive.contains(&a) {
                         let pressure = self.corrected(i, wall.pressure_sum(own, &self.boundary, pair));
-                        let shear = self.viscosity.pair(pair, &own.velocity, &self.boundary.velocity[a]);
+                        let there = &self.boundary.velocity[a];
                         sum += pressure * pressure_factor;
-                        sum += shear * no_slip.share(i, pair);
+                        sum += no_slip.shear(&self.viscosity, i, pair, &own.velocity, there);
                     }
                 });
                 sum
@@ -133,6 +134,8 @@ struct Momentum<'a, T: Real, const D: usize, K, V, P, const DIFFUSION: bool, con
     correction: &'a [Tensor<T, D>],
     boundary: &'a Boundary<T, D>,
     no_slip: NoSlip<'a, T, D>,
+    /// `1/k_i`, empty if the viscosity does not ask for it.
+    completion: &'a [T],
     wall: WallPair<T, D>,
     viscosity: V,
     gravity: Vector<T, D>,
@@ -155,10 +158,7 @@ where
             let a = pair.j;
             let pressure = self.wall.pressure_sum(own, self.boundary, pair) * self.pressure_factor;
             *total += if CORRECTED { self.correction[i] * pressure } else { pressure };
-            let share = self.no_slip.share(i, pair);
-            if share > T::zero() {
-                *total += self.viscosity.pair(pair, &own.velocity, &self.boundary.velocity[a]) * share;
-            }
+            *total += self.no_slip.shear(&self.viscosity, i, pair, &own.velocity, &self.boundary.velocity[a]);
         });
     }
 }
@@ -211,7 +211,8 @@ where
                 );
                 accumulate(&mut total, &scale(&direction, pij * self.pressure_factor));
             }
-            self.viscosity.add(&mut total, &pair, &own.velocity, &other.vector(|state| &state.velocity));
+            let velocities = (&own.velocity, &other.vector(|state| &state.velocity));
+            add_viscosity(&self.viscosity, self.completion, &mut total, i, &pair, velocities, &other);
             if DIFFUSION {
                 accumulate(&mut slope, &Gradient::pair(own.density, density, &pair));
                 accumulate_tensor(&mut moment, &MomentMatrix::<T>::pair(&pair));

@@ -24,12 +24,34 @@ pub(crate) struct NoSlip<'a, T: Real, const D: usize> {
     boundary: &'a Boundary<T, D>,
     /// `q_i` \[1/m\].
     toward_wall: &'a [Vector<T, D>],
+    /// `1/k_i` \[-\]; empty if the viscosity does not ask for it.
+    completion: &'a [T],
 }
 
 impl<T: Real, const D: usize> NoSlip<'_, T, D> {
+    /// Acceleration \[m/s^2\] of fluid particle `i`, with velocity `ui`, by the shear of the point `pair.j`, with velocity `ua` \[m/s\].
+    #[inline(always)]
+    pub(crate) fn shear<V: Viscosity<T, D>>(
+        &self,
+        viscosity: &V,
+        i: usize,
+        pair: &Pair<T, D>,
+        ui: &Vector<T, D>,
+        ua: &Vector<T, D>,
+    ) -> Vector<T, D> {
+        let share = self.share(i, pair);
+        let mut shear = Vector::zeros();
+        if share > T::zero() {
+            // The point has no neighbourhood of its own to be completed.
+            let completion = if V::COMPLETED { self.completion[i] } else { T::one() };
+            viscosity.add_completed(&mut shear, pair, ui, ua, completion);
+        }
+        shear * share
+    }
+
     /// What the shear of a pair of fluid layers is multiplied with for the point `pair.j`, seen from fluid particle `i`; zero with free slip.
     #[inline(always)]
-    pub(crate) fn share(&self, i: usize, pair: &Pair<T, D>) -> T {
+    fn share(&self, i: usize, pair: &Pair<T, D>) -> T {
         match self.boundary.shear[pair.j] {
             Shear::Free => T::zero(),
             Shear::Fluid => self.boundary.volume[pair.j],
@@ -53,7 +75,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     }
 
     pub(crate) fn no_slip(&self) -> NoSlip<'_, T, D> {
-        NoSlip { boundary: &self.boundary, toward_wall: &self.rates.toward_wall }
+        NoSlip {
+            boundary: &self.boundary,
+            toward_wall: &self.rates.toward_wall,
+            completion: &self.rates.completion,
+        }
     }
 }
 

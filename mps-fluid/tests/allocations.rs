@@ -6,7 +6,7 @@
 mod common;
 
 use common::{Noise, tank, water};
-use mps_fluid::{ArtificialViscosity, Shifting};
+use mps_fluid::{ArtificialViscosity, CompletedViscosity, Shifting};
 use mps_neighbors::Parallel;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -44,7 +44,7 @@ fn warm_steps_allocate_nothing_and_rebuilds_next_to_nothing() {
     let mut config = water::<f64, 2>(0.01, 0.4);
     config.shifting = Some(Shifting::default());
     let c = config.sound_speed;
-    let mut fluid = tank([40, 40], config, |r| ArtificialViscosity::new::<2>(0.05, c, r));
+    let mut fluid = tank([40, 40], config, |r| CompletedViscosity(ArtificialViscosity::new::<2>(0.05, c, r)));
     let mut noise = Noise::new(1);
     fluid.particles_mut().velocity.iter_mut().for_each(|u| *u = noise.vector(2.0));
     // Allocations of steps without and with a rebuild, and the number of rebuilds.

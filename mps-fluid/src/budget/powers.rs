@@ -1,5 +1,6 @@
 //! The power of every cause on each particle: one more visit of the neighbours.
 
+use crate::completion::add_viscosity;
 use crate::fluid::{Flow, State};
 use crate::gather::Gather;
 use crate::terms::Viscosity;
@@ -40,7 +41,9 @@ where
         let (mut drag, mut filtered) = (vector([zero; D]), zero);
         for pair in self.neighbors.packs(simd, i) {
             let other = Gather { simd, j: pair.j.as_ref(), from: self.state };
-            fluid.viscosity.add(&mut drag, &pair, &own.velocity, &other.vector(|state| &state.velocity));
+            let velocities = (&own.velocity, &other.vector(|state| &state.velocity));
+            let completion = &fluid.rates.completion;
+            add_viscosity(&fluid.viscosity, completion, &mut drag, i, &pair, velocities, &other);
             let there = other.of(self.flow);
             let (density, gradient) =
                 (there.scalar(|flow| flow.density), there.vector(|flow| &flow.gradient));
@@ -77,11 +80,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             let vector = self.corrected(i, pair.gradient_vector());
             let opening = (boundary.velocity[a] - self.particles.velocity[i]).dot(&vector);
             inflow -= na * boundary.volume[a] * T::of(crate::continuity::MIRROR) * opening;
-            let share = no_slip.share(i, pair);
-            if share > T::zero() {
-                let drag = self.viscosity.pair(pair, &own.velocity, &boundary.velocity[a]);
-                shear += drag.dot(mean) * share;
-            }
+            let drag = no_slip.shear(&self.viscosity, i, pair, &own.velocity, &boundary.velocity[a]);
+            shear += drag.dot(mean);
         });
         let motion = -self.corrected(i, force).dot(mean);
         let compression = own.pressure * own.inverse_density * inflow;

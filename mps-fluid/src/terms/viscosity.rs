@@ -1,12 +1,16 @@
 //! Viscous accelerations: none, laminar, artificial, or several added up.
 
 use mps_kernel::by_axis;
-use mps_kernel::operators::Laplacian;
-use mps_kernel::small::{accumulate, components, difference, dot, scale};
+use mps_kernel::operators::{CentralLaplacian, Laplacian};
+use mps_kernel::small::{accumulate, components};
 use mps_kernel::{Number, Pair, Real, ReferenceDensity, Vector};
 
 /// A viscous pair acceleration. `()` is an inviscid fluid and costs nothing; a tuple adds two.
 pub trait Viscosity<T: Real, const D: usize>: Copy + Send + Sync {
+    /// Whether truncated neighbourhoods are completed. Then every step measures how much of its neighbourhood each
+    /// particle has, and [`add_completed`](Self::add_completed) is asked.
+    const COMPLETED: bool = false;
+
     /// Adds the acceleration of `i` \[m/s^2\] by neighbour `j`, from their velocities \[m/s\].
     /// Must be antisymmetric in `i` and `j`, so that momentum is kept, and `#[inline(always)]`.
     fn add<N: Number<T>, J>(
@@ -16,6 +20,20 @@ pub trait Viscosity<T: Real, const D: usize>: Copy + Send + Sync {
         ui: &Vector<T, D>,
         uj: &Vector<N, D>,
     );
+
+    /// As [`add`](Self::add), with the mean of the two particles' completions \[-\]
+    /// ([`CentralLaplacian::completion`]), which is ignored by default.
+    #[inline(always)]
+    fn add_completed<N: Number<T>, J>(
+        &self,
+        sum: &mut Vector<N, D>,
+        pair: &Pair<N, D, J>,
+        ui: &Vector<T, D>,
+        uj: &Vector<N, D>,
+        _completion: N,
+    ) {
+        self.add(sum, pair, ui, uj);
+    }
 
     /// The acceleration of a single pair.
     #[inline(always)]
@@ -46,6 +64,8 @@ impl<T: Real, const D: usize> Viscosity<T, D> for () {
 }
 
 impl<T: Real, const D: usize, A: Viscosity<T, D>, B: Viscosity<T, D>> Viscosity<T, D> for (A, B) {
+    const COMPLETED: bool = A::COMPLETED || B::COMPLETED;
+
     #[inline(always)]
     fn add<N: Number<T>, J>(
         &self,
@@ -56,6 +76,19 @@ impl<T: Real, const D: usize, A: Viscosity<T, D>, B: Viscosity<T, D>> Viscosity<
     ) {
         self.0.add(sum, pair, ui, uj);
         self.1.add(sum, pair, ui, uj);
+    }
+
+    #[inline(always)]
+    fn add_completed<N: Number<T>, J>(
+        &self,
+        sum: &mut Vector<N, D>,
+        pair: &Pair<N, D, J>,
+        ui: &Vector<T, D>,
+        uj: &Vector<N, D>,
+        completion: N,
+    ) {
+        self.0.add_completed(sum, pair, ui, uj, completion);
+        self.1.add_completed(sum, pair, ui, uj, completion);
     }
 
     fn kinematic(&self) -> T {
@@ -96,7 +129,7 @@ impl<T: Real, const D: usize> Viscosity<T, D> for LaminarViscosity<T> {
     }
 }
 
-/// `alpha c l0 (D/n0) ((u_j - u_i) . r_ij/r^2) e_ij W_ij/r`: acts along the line of the pair.
+/// `alpha c l0 (D/n0) ((u_j - u_i) . r_ij/r^2) e_ij W_ij/r`: acts along the line of the pair ([`CentralLaplacian`]).
 ///
 /// The artificial viscosity of Monaghan 1994 without its switch, written with the weight of this
 /// method: it keeps angular momentum too, and amounts to a kinematic viscosity of
@@ -104,7 +137,7 @@ impl<T: Real, const D: usize> Viscosity<T, D> for LaminarViscosity<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArtificialViscosity<T> {
     kinematic: T,
-    factor: T,
+    operator: CentralLaplacian<T>,
 }
 
 impl<T: Real> ArtificialViscosity<T> {
@@ -113,7 +146,7 @@ impl<T: Real> ArtificialViscosity<T> {
         let strength = alpha * sound_speed * reference.spacing;
         Self {
             kinematic: strength / T::of(2.0 * (D as f64 + 2.0)),
-            factor: strength * reference.gradient_factor::<D>(),
+            operator: CentralLaplacian { factor: strength * reference.gradient_factor::<D>() },
         }
     }
 }
@@ -127,9 +160,7 @@ impl<T: Real, const D: usize> Viscosity<T, D> for ArtificialViscosity<T> {
         ui: &Vector<T, D>,
         uj: &Vector<N, D>,
     ) {
-        // The quotient is the one the rational weight forms: the compiler divides once.
-        let approach = dot(&difference(uj, ui), &pair.r_ij) * pair.r2.dividing(T::one());
-        accumulate(sum, &scale(&pair.r_ij, approach * self.factor * pair.over_r2));
+        accumulate(sum, &self.operator.pair(ui, uj, pair));
     }
 
     fn kinematic(&self) -> T {

@@ -3,10 +3,11 @@
 
 use crate::common::{BLOB, blob};
 use mps_fluid::{
-    ArtificialViscosity, Boundary, Dpc, Fluid, FluidConfig, LaminarViscosity, Tension, Viscosity,
+    ArtificialViscosity, Boundary, CompletedViscosity, Dpc, Fluid, FluidConfig, LaminarViscosity, Tension,
+    Viscosity,
 };
 use mps_kernel::weights::Rational;
-use mps_kernel::{Tensor, Vector};
+use mps_kernel::{ReferenceDensity, Tensor, Vector};
 use mps_neighbors::{Domain, Parallel, PeriodicBox};
 
 type Blob<V, const D: usize> = Fluid<f64, D, Rational, V>;
@@ -50,6 +51,12 @@ fn linear_momentum_is_kept_through_diffusion_viscosity_and_collisions() {
         }
     }
     keeps_linear_momentum(blob(8, 0.5, config::<3>(), |r| ArtificialViscosity::new::<3>(0.05, BLOB.1, r)));
+    keeps_linear_momentum(blob(20, 0.5, config::<2>(), completed::<2>));
+    keeps_linear_momentum(blob(8, 0.5, config::<3>(), completed::<3>));
+}
+
+fn completed<const D: usize>(reference: &ReferenceDensity<f64>) -> CompletedViscosity<f64> {
+    CompletedViscosity(ArtificialViscosity::new::<D>(0.05, BLOB.1, reference))
 }
 
 /// Torque of the accelerations of one step over the sum of the sizes of its terms.
@@ -65,6 +72,8 @@ fn forces_along_the_line_of_a_pair_exert_no_torque() {
     assert!(artificial < 1e-14, "{artificial:e}");
     let solid = torque(blob(8, 0.5, config::<3>(), |r| ArtificialViscosity::new::<3>(0.05, BLOB.1, r)));
     assert!(solid < 1e-14, "{solid:e}");
+    let completed = torque(blob(20, 0.5, config::<2>(), completed::<2>));
+    assert!(completed < 1e-14, "{completed:e}");
     // The measure is able to see one: the laminar operator does not act along the line of the pair.
     let laminar = torque(blob(20, 0.5, config::<2>(), |r| LaminarViscosity::new::<2>(1e-3, r)));
     assert!(laminar > 1e-6, "{laminar:e}");
@@ -120,6 +129,8 @@ fn energy_of_motion_and_compression_never_rises() {
         let (rise, last) = energies(blob(20, 0.5, config_with(collisions, cfl), viscosity), 400);
         assert!(rise < 1e-12 && last < 0.9, "viscous, {collisions:?}, cfl {cfl}: {rise:e}, end {last}");
     }
+    let (rise, last) = energies(blob(20, 0.5, config_with(STICKY, 0.5), completed::<2>), 400);
+    assert!(rise < 1e-12 && last < 0.9, "completed: {rise:e}, end {last}");
     let (rise, last) = energies(blob::<2, ()>(20, 0.5, config_with(STICKY, 0.5), |_| ()), 400);
     assert!(rise < 1e-12 && last < 0.9, "inviscid: {rise:e}, end {last}");
 }

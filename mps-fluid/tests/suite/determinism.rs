@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
 use crate::common::{Noise, tank, water};
-use mps_fluid::{ArtificialViscosity, Shifting};
+use mps_fluid::{ArtificialViscosity, CompletedViscosity, Shifting};
 use mps_neighbors::{Parallel, state_hash};
 
 /// Hashes after every tenth of 30 steps of a dam break of 12,600 particles with all options on.
@@ -10,7 +10,8 @@ fn hashes(parallel: &Parallel) -> Vec<u64> {
     let mut config = water::<f64, 2>(0.01, 1.05);
     config.shifting = Some(Shifting { strength: 2.0, iterations: 2 });
     let c = config.sound_speed;
-    let mut fluid = tank([120, 105], config, |r| ArtificialViscosity::new::<2>(0.05, c, r));
+    let mut fluid =
+        tank([120, 105], config, |r| CompletedViscosity(ArtificialViscosity::new::<2>(0.05, c, r)));
     // Fast enough for several rebuilds, and for collisions.
     let mut noise = Noise::new(3);
     fluid.particles_mut().velocity.iter_mut().for_each(|u| *u = noise.vector(2.0));

@@ -1,12 +1,15 @@
 //! Shear along walls: none with free slip, that of the laminar fluid without slip.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-use crate::common::lattice;
+use crate::common::{fill, lattice, step_on_account};
 use core::f64::consts::PI;
-use mps_fluid::{Boundary, Fluid, FluidConfig, FluidParticles, LaminarViscosity, Slip};
+use mps_fluid::{
+    ArtificialViscosity, Boundary, CompletedViscosity, Fluid, FluidConfig, FluidParticles, LaminarViscosity,
+    Slip, Viscosity,
+};
 use mps_kernel::Vector;
 use mps_kernel::weights::Rational;
-use mps_neighbors::{Parallel, PeriodicBox};
+use mps_neighbors::{Open, Parallel, PeriodicBox};
 
 const L0: f64 = 0.01;
 const NU: f64 = 0.02;
@@ -63,4 +66,33 @@ fn moving_walls_drag_the_fluid_along_but_no_faster_than_they_are() {
     assert!(dragged > 1.1 && dragged < 2.0, "{dragged}");
     let free = mean_velocity(20, Slip::Free, 0.1, 0.2, |_| 0.1);
     assert!((free - 1.0).abs() < ROUGHNESS, "{free}");
+}
+
+/// A puddle that slides over a plate of fine points: force on the plate \[N\] in the first step, and what is lost of the momentum in ten,
+/// over the impulse of the first.
+fn drag<V: Viscosity<f64, 2>>(wrap: impl Fn(ArtificialViscosity<f64>) -> V) -> (f64, f64) {
+    let mut particles = FluidParticles::at_rest(fill([0.0; 2], [0.2, 0.05], L0, |_| true));
+    particles.velocity.fill(Vector::<f64, 2>::new(1.0, 0.0));
+    let mut boundary = Boundary::default();
+    let plate = fill([-0.1, -0.03], [0.4, 0.0], 0.5 * L0, |_| true);
+    boundary.add_structure(&plate, core::iter::repeat(0.25), Slip::None);
+    let viscosity = |r: &_| wrap(ArtificialViscosity::new::<2>(0.5, 10.0, r));
+    let config = FluidConfig::water(L0, 10.0);
+    let mut fluid = Fluid::new(config, Rational, viscosity, Open, particles, boundary).unwrap();
+    let first = step_on_account(&mut fluid, |_, _| {});
+    let mut lost = first.lost;
+    for _ in 0..9 {
+        lost = lost.max(step_on_account(&mut fluid, |_, _| {}).lost);
+    }
+    (first.force.x, lost / (first.force.norm() * first.dt))
+}
+
+#[test]
+fn a_structure_bears_the_drag_of_the_completed_viscosity() {
+    let (plain, lost) = drag(|plain| plain);
+    assert!(plain > 0.0 && lost < 1e-12, "{plain} N, {lost:e}");
+    let (whole, lost) = drag(CompletedViscosity);
+    assert!(lost < 1e-12, "{lost:e}");
+    // The plate completes the neighbourhoods below; what is left to complete is at the ends of the puddle.
+    assert!(whole > 1.001 * plain && whole < 1.1 * plain, "{plain} and {whole} N");
 }
