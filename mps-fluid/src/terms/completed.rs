@@ -35,7 +35,7 @@ impl<T: Real, const D: usize> Viscosity<T, D> for CompletedViscosity<T> {
         uj: &Vector<N, D>,
         completion: N,
     ) {
-        let nothing = completion - completion;
+        let nothing = completion * T::zero();
         let mut whole = vector([nothing; D]);
         self.0.add(&mut whole, pair, ui, uj);
         accumulate(sum, &scale(&whole, completion));
