@@ -44,7 +44,10 @@ impl ViscousWave {
         // The right side is small; each round gains a digit or two.
         for _ in 0..100 {
             let m = self.decay_into_the_depth(s);
-            let layer = m / (m * depth).tanh() * (4.0 * nu * nu * k.powi(3) * (k * depth).tanh());
+            // coth(m H), where tanh would overflow in a thin layer.
+            let bottom = (m * (-2.0 * depth)).exp();
+            let layer =
+                m * (bottom + 1.0) / (-bottom + 1.0) * (4.0 * nu * nu * k.powi(3) * (k * depth).tanh());
             s = (layer - self.stiffness()).sqrt() - drag;
         }
         s
