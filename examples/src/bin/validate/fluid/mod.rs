@@ -13,6 +13,7 @@ mod scene;
 mod sideways;
 mod standing_wave;
 mod taylor_green;
+mod viscous_wave;
 
 use crate::case::Case;
 
@@ -26,7 +27,8 @@ pub(crate) fn cases() -> Vec<Box<dyn Case>> {
         Box::new(rotation::Rotation),
         Box::new(drop::Drop),
         Box::new(taylor_green::TaylorGreen),
-        Box::new(standing_wave::StandingWave),
+        Box::new(standing_wave::WAVE),
+        Box::new(standing_wave::VISCOUS),
         Box::new(hydrostatic::Hydrostatic::<2>),
         Box::new(resting::Resting),
         Box::new(hydrostatic::Hydrostatic::<3>),
