@@ -3,8 +3,7 @@
 
 mod common;
 
-use common::{Wet, floating, gate, lattice, solid_of};
-use mps_coupling::Fixed;
+use common::{Wet, floating, gate, solid_of};
 use mps_fluid::Slip;
 use mps_kernel::Vector;
 use mps_neighbors::Parallel;
@@ -34,27 +33,6 @@ fn a_block_floating_in_a_blob_keeps_the_total_momentum() {
     // The books say the same.
     let booked = (scene.budget().impulse - handed_over).norm() / size;
     assert!(booked < 1e-12, "{booked:e}");
-}
-
-/// A post stands in the way of the blob: the block is handed what it gains, and both together what is in the books.
-#[test]
-fn every_structure_has_its_own_impulse() {
-    let parallel = Parallel::serial();
-    let mut scene = floating(0.3);
-    let l0 = 0.01;
-    let post = lattice([24.0 * l0, 6.0 * l0], [4, 12], l0);
-    let volumes = vec![l0 * l0; post.len()];
-    scene.add_structure(&parallel, Box::new(Fixed::new(post, volumes, l0)), Slip::None).unwrap();
-    let start = momenta(&scene)[1];
-    for _ in 0..50 {
-        scene.step(&parallel, f64::INFINITY).unwrap();
-    }
-    let [block, post] = [0, 1].map(|k| scene.impulse(k).unwrap());
-    let size = scene.budget().impulse.norm() + block.norm();
-    assert!(post.x > 0.05 * size && block.norm() > 1e-3 * size, "{post} {block}");
-    assert!((momenta(&scene)[1] - start - block).norm() < 1e-12 * size);
-    assert!((scene.budget().impulse - block - post).norm() < 1e-12 * size);
-    assert_eq!(scene.impulse(2), None);
 }
 
 #[test]
