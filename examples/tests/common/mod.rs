@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "each test uses what it needs")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-use mps_io::Summary;
+use mps_io::{Summary, Value};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -31,4 +31,21 @@ pub(crate) fn completed(program: &str, name: &str, arguments: &[&str]) -> Summar
     let summary = Summary::read(dir.join("summary.json")).unwrap();
     assert_eq!(summary.status, "completed");
     summary
+}
+
+/// Where the workspace is.
+pub(crate) fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_path_buf()
+}
+
+/// The members of the workspace, as cargo reads their manifests.
+pub(crate) fn packages() -> Vec<Value> {
+    let output = Command::new(env!("CARGO"))
+        .args(["metadata", "--format-version", "1", "--no-deps", "--offline"])
+        .current_dir(root())
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", words(&output.stderr));
+    let metadata: Value = words(&output.stdout).parse().unwrap();
+    metadata["packages"].as_array().unwrap().clone()
 }
