@@ -11,3 +11,7 @@ struct GettingStarted;
 /// Runs that go on.
 #[doc = include_str!("../../docs/restart.md")]
 struct Restart;
+
+/// What can be added from outside.
+#[doc = include_str!("../../docs/extending.md")]
+struct Extending;
