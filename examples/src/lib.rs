@@ -3,6 +3,8 @@
 //! move are in [`solid`], water in a basin in [`basin`], and a beam in it in [`submerged`]; scene files become scenes in [`scene`].
 
 pub mod basin;
+#[cfg(doctest)]
+mod book;
 mod cli;
 mod conclusion;
 mod connected;
@@ -27,8 +29,3 @@ pub use words::{closing_words, report_failure};
 
 /// Any error of an example, already worded for the user.
 pub type Failure = Box<dyn std::error::Error + Send + Sync>;
-
-/// The code of the front page compiles.
-#[cfg(doctest)]
-#[doc = include_str!("../../README.md")]
-struct Readme;

@@ -2,30 +2,18 @@
 //! Here the drawing is compared with what cargo sees, in both directions.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail the test")]
 
+mod common;
+
+use common::{packages, root};
 use mps_io::Value;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
-use std::process::Command;
 
 type Table = BTreeMap<String, BTreeSet<String>>;
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_path_buf()
-}
-
 /// Normal dependencies of every member of the workspace, as cargo reads the manifests.
 fn dependencies() -> Table {
-    let output = Command::new(env!("CARGO"))
-        .args(["metadata", "--format-version", "1", "--no-deps", "--offline"])
-        .current_dir(root())
-        .output()
-        .unwrap();
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let metadata: Value = String::from_utf8(output.stdout).unwrap().parse().unwrap();
     let name = |value: &Value| value["name"].as_str().unwrap().to_owned();
-    metadata["packages"]
-        .as_array()
-        .unwrap()
+    packages()
         .iter()
         .map(|package| {
             let all = package["dependencies"].as_array().unwrap();
@@ -81,19 +69,5 @@ fn the_phases_do_not_know_each_other_nor_the_writer() {
     assert!(!knows("mps-fluid", "mps-solid") && !knows("mps-solid", "mps-fluid"));
     for quiet in ["mps-kernel", "mps-neighbors", "mps-fluid", "mps-solid", "mps-coupling"] {
         assert!(!knows(quiet, "mps-io"), "{quiet} writes");
-    }
-}
-
-/// Links to files that are not there were the first thing a reader met.
-#[test]
-fn the_links_of_the_front_pages_lead_somewhere() {
-    for page in ["README.md", "ARCHITECTURE.md", "CHANGELOG.md"] {
-        let text = std::fs::read_to_string(root().join(page)).unwrap();
-        for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
-            let file = link.split('#').next().unwrap_or_default();
-            if !file.is_empty() && !file.contains("://") {
-                assert!(root().join(file).exists(), "{page} links to {file}");
-            }
-        }
     }
 }

@@ -199,7 +199,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     fn substeps_for(&self, parallel: &Parallel, dt: T) -> Result<usize, CouplingError> {
         let mut most = self.min_substeps.max(1) as f64;
         for (index, body) in self.bodies.iter().enumerate() {
-            let limit = body.structure.max_step(parallel).min(self.longest_substep(body));
+            let (own, shared) = (body.structure.max_step(parallel), self.longest_substep(body));
+            // Not `min`, which would hide a limit that is no number.
+            let limit = if shared < own { shared } else { own };
             let substeps = (dt / limit).to_double().ceil();
             if substeps.is_nan() || substeps > self.max_substeps as f64 {
                 let (limit, dt) = (limit.to_double(), dt.to_double());

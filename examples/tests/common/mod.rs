@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "each test uses what it needs")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-use mps_io::{CsvTable, Summary};
+use mps_io::{CsvTable, Summary, Value};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -51,4 +51,21 @@ pub(crate) fn assert_same(a: &CsvTable, b: &CsvTable, columns: &[(&str, &str)], 
             assert!((x - y).abs() <= share * largest, "{mine} is {x:e} in row {k}, in the program {y:e}");
         }
     }
+}
+
+/// Where the workspace is.
+pub(crate) fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_path_buf()
+}
+
+/// The members of the workspace, as cargo reads their manifests.
+pub(crate) fn packages() -> Vec<Value> {
+    let output = Command::new(env!("CARGO"))
+        .args(["metadata", "--format-version", "1", "--no-deps", "--offline"])
+        .current_dir(root())
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", words(&output.stderr));
+    let metadata: Value = words(&output.stdout).parse().unwrap();
+    metadata["packages"].as_array().unwrap().clone()
 }
