@@ -33,7 +33,7 @@ pub(crate) struct Options {
     #[arg(long, value_name = "RATIO", default_value_t = 10.0)]
     pub(crate) sound_ratio: f64,
     /// Courant number of the fluid
-    #[arg(long, value_name = "C", default_value_t = 0.5)]
+    #[arg(long, value_name = "C", default_value_t = 1.0)]
     pub(crate) cfl: f64,
     /// Effective radius over spacing, at least 3
     #[arg(long, value_name = "RATIO", default_value_t = 3.0)]

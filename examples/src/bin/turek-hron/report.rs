@@ -9,10 +9,9 @@ use mps_io::{CurvePlot, Metric, Summary};
 use mps_kernel::Real;
 use std::path::Path;
 
-/// Share of the run at whose end results are read off: a steady flow comes to rest slowly, an oscillation needs many periods.
-fn read_share(settings: &Settings) -> f64 {
-    if settings.test.is_steady() { 0.2 } else { 0.5 }
-}
+/// Share of the run at whose end results are read off: many periods of an oscillation, and of a steady flow many of the slow
+/// swings that the noise of the particles stirs up.
+const READ_SHARE: f64 = 0.5;
 
 /// What is read off, its name and unit.
 type Quantity = (&'static str, &'static str, fn(&Sample) -> f64, Swing);
@@ -73,7 +72,7 @@ pub(crate) fn summary<T: Real>(settings: &Settings, scene: &Channel<T>, observer
     summary.particles.insert("structure".into(), boundary.reactive().len() as u64);
 
     let end = observer.samples.last().map_or(0.0, |s| s.time);
-    let start = observer.samples.partition_point(|s| s.time < end * (1.0 - read_share(settings)));
+    let start = observer.samples.partition_point(|s| s.time < end * (1.0 - READ_SHARE));
     let read = &observer.samples[start..];
     let time: Vec<f64> = read.iter().map(|s| s.time).collect();
     for (name, unit, value, reference) in quantities(settings) {
