@@ -20,7 +20,7 @@ use common::column::{L0, STIFFNESS, WIDTH, column_under, total};
 use mps_neighbors::Parallel;
 
 /// Density of the piston over that of the water.
-const DENSITIES: [f64; 8] = [0.001, 0.01, 0.05, 0.2, 1.0, 5.0, 20.0, 50.0];
+const DENSITIES: [f64; 7] = [0.01, 0.05, 0.2, 1.0, 5.0, 20.0, 50.0];
 /// Stiffness of the spring over that of the column.
 const SPRINGS: [f64; 4] = [0.0, 1.0, 100.0, 10_000.0];
 const END: f64 = 0.2;

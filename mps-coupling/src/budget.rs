@@ -149,10 +149,10 @@ mod tests {
         let start = [Vector::zeros(); 2];
         let step =
             SubStep { force: &force, velocity: &velocity, position: &position, start: &start, dt: 0.5 };
-        handed.book(&Vector::from([0.0, 1.0]), &step);
-        handed.book(&Vector::from([0.0, 1.0]), &step);
+        handed.book(&Vector::from([0.0, 0.5]), &step);
+        handed.book(&Vector::from([0.0, 0.5]), &step);
         assert_eq!((handed.push.force, handed.work), (Vector::from([1.0, 2.0]), 1.0));
-        assert_eq!((handed.push.moment[(0, 1)], handed.push.moment[(1, 0)]), (2.0, -2.0));
+        assert_eq!((handed.push.moment[(0, 1)], handed.push.moment[(1, 0)]), (1.5, -1.5));
         assert_eq!((handed.off_line[(0, 1)], handed.size[0]), (1.0, 3.0));
     }
 

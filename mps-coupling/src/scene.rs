@@ -201,7 +201,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         for (index, body) in self.bodies.iter().enumerate() {
             let (own, shared) = (body.structure.max_step(parallel), self.longest_substep(body));
             // Not `min`, which would hide a limit that is no number.
-            let limit = if shared < own { shared } else { own };
+            let limit = if shared < own || shared.partial_cmp(&shared).is_none() { shared } else { own };
             let substeps = (dt / limit).to_double().ceil();
             if substeps.is_nan() || substeps > self.max_substeps as f64 {
                 let (limit, dt) = (limit.to_double(), dt.to_double());

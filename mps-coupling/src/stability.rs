@@ -24,12 +24,9 @@ impl<T: Real, const D: usize> Body<T, D> {
         let points = self.range.clone().zip(&self.interface.visible);
         match self.structure.inertia() {
             Inertia::Unknown => T::zero(),
-            Inertia::Rigid(mass) => {
-                points.fold(T::zero(), |sum, (a, _)| sum + fluid.interface_stiffness(a).0) / mass
-            }
-            Inertia::Points(masses) => points.fold(T::zero(), |most, (a, &i)| {
-                most.max(fluid.interface_stiffness(a).1 / masses[i as usize])
-            }),
+            Inertia::Rigid(mass) => fluid.interface_stiffness_of(&self.range) / mass,
+            Inertia::Points(masses) => points
+                .fold(T::zero(), |most, (a, &i)| most.max(fluid.interface_stiffness(a) / masses[i as usize])),
         }
     }
 

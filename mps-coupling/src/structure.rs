@@ -29,7 +29,7 @@ impl<T: Real> StructureEnergy<T> {
 pub enum Inertia<'a, T> {
     /// Nobody has said.
     Unknown,
-    /// The whole body at once: its mass \[kg\].
+    /// The whole body at once: its mass \[kg\]. Turning is not looked at: a body with its mass in the middle takes smaller ones.
     Rigid(T),
     /// Each point by itself: the mass of each \[kg\].
     Points(&'a [T]),
@@ -57,7 +57,8 @@ pub trait Structure<T: Real, const D: usize>: Send + Sync {
     /// Distance between neighbouring points \[m\].
     fn spacing(&self) -> T;
 
-    /// Longest sub-step the structure can take in its present state \[s\]; infinite if any.
+    /// Longest sub-step the structure can take in its present state \[s\]; infinite if any. Not more than 0.8 of the border of its own
+    /// stability, so that the spring of the fluid has room beside it.
     fn max_step(&self, parallel: &Parallel) -> T;
 
     /// Moves on by `dt` \[s\] in `substeps` equal parts, under `force` \[N\] on each point and

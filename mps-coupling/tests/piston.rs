@@ -5,6 +5,9 @@ mod common;
 
 use common::column::{C, Column, HEIGHT, L0, STIFFNESS, WATER, WIDTH, column, column_under, piston, total};
 use core::f64::consts::PI;
+use mps_coupling::Fixed;
+use mps_fluid::Slip;
+use mps_kernel::Vector;
 use mps_neighbors::Parallel;
 
 /// Slowest angular frequency of the piston: `m w^2 = k + rho c w cot(w H/c)` per unit of width.
@@ -96,7 +99,7 @@ fn pushed(mass: f64, cfl: f64, least: usize, open: bool) -> (f64, usize) {
     (largest, most)
 }
 
-/// The fluid at the interface is a spring that the structure does not know of: a body lighter than a tenth of a layer of
+/// The fluid at the interface is a spring that the structure does not know of: a body lighter than a twentieth of a layer of
 /// particles bursts when it takes one sub-step a step, and is calm with four (`docs/coupling.md`, examples/stability_map).
 #[test]
 fn a_piston_much_lighter_than_a_layer_of_water_needs_more_sub_steps_than_its_spring_asks_for() {
@@ -116,6 +119,27 @@ fn a_piston_that_tells_its_mass_gets_the_sub_steps_it_needs() {
         assert!(largest < 2.5 && substeps > 1, "{density}: {largest} with {substeps} sub-steps");
     }
     assert_eq!(pushed(of_density(1.0), 0.5, 1, true).1, 1, "and a heavy one no more than before");
+}
+
+/// The water between two bodies is the spring of each of them for itself.
+#[test]
+fn a_neighbour_does_not_change_the_border_of_a_body() {
+    let border = |crowded: bool| {
+        let mut scene = column_under(of_density(0.1), 0.0, 1e-3, (0.5, f64::INFINITY), true);
+        if crowded {
+            // A plate in the water, within reach of the same particles as the piston.
+            let plate: Vec<_> =
+                (0..10).map(|k| Vector::from([(f64::from(k) + 0.5) * L0, HEIGHT - 2.0 * L0])).collect();
+            let volumes = vec![L0 * L0; plate.len()];
+            scene
+                .add_structure(&Parallel::serial(), Box::new(Fixed::new(plate, volumes, L0)), Slip::Free)
+                .unwrap();
+        }
+        let _ = scene.step(&Parallel::serial(), 1e-5).unwrap();
+        scene.interface_border(0).unwrap()
+    };
+    let [alone, crowded] = [false, true].map(border);
+    assert!((crowded / alone - 1.0).abs() < 1e-12, "{crowded} for {alone}");
 }
 
 /// Lighter still, a body turns by more than half a turn on the spring of the fluid in a step, and no number of sub-steps helps; the step

@@ -56,8 +56,8 @@ fn boxes_have_their_faces_edges_and_corners_as_surface() {
     a_box_is_found([9, 7, 8]);
 }
 
-/// Wherever the centre lies: the last layer (layers across the diagonal of the lattice are `1/sqrt(D)` apart) is surface, what has two layers around it is not, and normals point away
-/// from the centre.
+/// The last layer is surface wherever the centre lies (layers across the diagonal are `1/sqrt(D)` apart), what has two layers around it is
+/// not, and normals point away from the centre.
 fn a_ball_is_found<const D: usize>(radius: f64, shift: f64) {
     let center = Vector::<f64, D>::from_fn(|axis, _| 10.0 + shift * (axis as f64 + 1.0));
     let (points, interface) = registered([20; D], |r| (r - center).norm() < radius);

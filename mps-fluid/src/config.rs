@@ -169,7 +169,7 @@ impl<T: Real, const D: usize> FluidConfig<T, D> {
             2.0,
             "the coefficient delta of the density diffusion",
         )?;
-        check("cfl", self.cfl, tiny, 2.0, "the Courant number, usually 0.1 to 0.8")?;
+        check("cfl", self.cfl, tiny, 2.0, "the Courant number, usually 0.1 to 1")?;
         check("skin_ratio", self.skin_ratio, 0.0, 3.0, "the reach of the neighbour rows beyond re, over l0")?;
         check(
             "background_pressure",

@@ -1,4 +1,4 @@
-//! Free-surface detection: number density and the largest angular gap (paper, section 2.2.6).
+//! Free-surface detection: number density and the largest gap between neighbours (paper, section 2.2.6).
 
 mod gap;
 

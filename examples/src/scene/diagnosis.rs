@@ -314,7 +314,8 @@ fn support(scene: &SceneFile, source: &Source, layout: &Layout, found: &mut Diag
         let mut lowest = std::collections::BTreeMap::new();
         let walls = layout.walls.iter().flatten().flat_map(|points| &points.places);
         let solids = layout.solids.iter().flatten().map(|(place, _)| place);
-        for [x, y] in walls.chain(solids) {
+        let fixed = layout.fixed.iter().flat_map(|points| &points.places);
+        for [x, y] in walls.chain(solids).chain(fixed) {
             lowest.entry(bin(*x)).and_modify(|low: &mut f64| *low = low.min(*y)).or_insert(*y);
         }
         for (k, body) in layout.fluid.iter().enumerate() {

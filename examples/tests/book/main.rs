@@ -5,7 +5,7 @@
 //! |---|---|
 //! | `sh` | programs, targets, flags and choices exist (`commands`) |
 //! | `rust` | the page is among those whose blocks are doc tests (`examples/src/book.rs`) |
-//! | `toml` | it is a scene that can be run |
+//! | `toml` | it is read as a scene: keys and numbers, not whether its parts fit |
 //! | `toml NAME` | it is a part of a scene: put in place of the same tables of `examples/scenes/NAME.toml` |
 //! | `message` | each piece between dots is in a source: programs really say it |
 //! | `text` | nothing: formulas, and what a program prints |

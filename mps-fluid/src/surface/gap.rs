@@ -7,8 +7,9 @@
 use core::f64::consts::PI;
 use mps_kernel::{Real, Vector};
 
-/// Neighbours that are looked at, the first ones: more than a full neighbourhood of four spacings in space has.
-pub(super) const MOST: usize = 512;
+/// Neighbours that are looked at, the first ones: more than a neighbourhood of four spacings in space has, half of it a wall of points at
+/// half the spacing.
+pub(super) const MOST: usize = 2048;
 /// How far round-off moves the cosine of an angle, and by how much a gap has to be wider than the limit.
 const ROUND_OFF: f64 = 1e-9;
 const WIDER: f64 = 1e-6;

@@ -8,7 +8,7 @@
 //!
 //! (Lamb 1932, Hydrodynamics, art. 349, for deep water; for any depth Antuono and Colagrossi 2013, Wave Motion 50, 197-209).
 //! Without the right side the energy decays with `4 nu k^2`, the loss of the potential flow. But the surface bears no shear, so that the shear of the potential flow
-//! is absent from a layer `sqrt(2 nu/omega)` thick, and the decay is slower by `sqrt(nu k^2/(2 omega))` to first order.
+//! is absent from a layer `sqrt(2 nu/omega)` thick, and the decay is slower by `tanh(k H) sqrt(nu k^2/(2 omega))` to first order.
 
 use nalgebra::Complex;
 

@@ -16,6 +16,8 @@
 //! Shear follows in the same way: `K_ia (u_a - u_i)` is linear in the velocity of the point, and `K_ia` times what has changed of it since the
 //! start of the step goes to both sides. Held over the step, the drag on a vibration comes half a period late and drives it.
 
+mod spring;
+
 use crate::boundary::Shear;
 use crate::eos::EquationOfState;
 use crate::terms::Viscosity;
@@ -43,8 +45,8 @@ pub(crate) struct Exchange<T: Real, const D: usize> {
     point_links: Vec<Link<T, D>>,
     /// Place of a fluid particle in `wetted`; meaningful for those only.
     place: Vec<u32>,
-    /// Sum of the vectors of a wetted particle's links and of their lengths \[1/m\].
-    reach: Vec<(Vector<T, D>, T)>,
+    /// Sum of the lengths of a wetted particle's links \[1/m\].
+    reach: Vec<T>,
     /// Pressure before clipping and its rise since the start of the step \[Pa\].
     raw: Vec<T>,
     rise: Vec<T>,
@@ -105,11 +107,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                 exchange.wetted.push(i as u32);
                 exchange.wetted_start.push(before as u32);
                 exchange.raw.push(self.eos.pressure(self.particles.density[i]));
-                let zero = (Vector::zeros(), T::zero());
-                let reach = exchange.wetted_links[before..]
-                    .iter()
-                    .fold(zero, |(sum, size), link| (sum + link.vector, size + link.vector.norm()));
-                exchange.reach.push(reach);
+                let links = &exchange.wetted_links[before..];
+                exchange.reach.push(links.iter().fold(T::zero(), |size, link| size + link.vector.norm()));
             }
         }
         let wetted = exchange.wetted.len();
@@ -176,32 +175,6 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let drag =
             self.exchange.point_drag[links].iter().fold(Vector::zeros(), |sum, drag| sum + drag * change);
         drag * self.config.particle_mass()
-    }
-
-    /// The spring that the fluid of the present step is to reactive point `a` \[N/m\]. Displacements `q_b` of points compress the particles
-    /// and bring back the forces `-sum_b K_ab q_b` with
-    ///
-    /// `K_ab = 4 (D/n0)^2 V rho0 c^2 sum_i g_ia (x) g_ib`.
-    ///
-    /// Returned are its share in the trace for a body that moves as a whole, and a bound for any motion, `sum_b |K_ab|`.
-    /// Zero outside [`begin_step`](Fluid::begin_step) and the sub-steps.
-    pub fn interface_stiffness(&self, a: usize) -> (T, T) {
-        let exchange = &self.exchange;
-        let k = a - self.boundary.reactive().start;
-        if exchange.point_start.len() <= k + 1 {
-            return (T::zero(), T::zero());
-        }
-        let config = &self.config;
-        let pair = T::of(2.0) * self.reference.gradient_factor::<D>();
-        let factor =
-            pair * pair * config.particle_volume() * config.density * config.sound_speed * config.sound_speed;
-        let links = exchange.point_start[k] as usize..exchange.point_start[k + 1] as usize;
-        let zero = (T::zero(), T::zero());
-        let (whole, any) = exchange.point_links[links].iter().fold(zero, |(whole, any), link| {
-            let (sum, size) = &exchange.reach[link.other as usize];
-            (whole + link.vector.dot(sum), any + link.vector.norm() * *size)
-        });
-        (whole * factor, any * factor)
     }
 
     /// Takes note of the velocities that the structures have at the start of a sub-step, which are those of their boundary points now: the
