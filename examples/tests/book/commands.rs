@@ -36,7 +36,9 @@ impl Programs {
     /// The first fault of a script of one command a line.
     pub(crate) fn fault_of_script(&self, script: &str) -> Fault {
         let script = script.replace("\\\n", " ");
-        let lines = script.lines().map(|line| line.split(" #").next().unwrap_or_default().split(" > ").next().unwrap_or_default().trim());
+        let lines = script.lines().map(|line| {
+            line.split(" #").next().unwrap_or_default().split(" > ").next().unwrap_or_default().trim()
+        });
         lines.filter(|line| !line.is_empty() && !line.starts_with('#')).find_map(|line| self.fault(line))
     }
 
