@@ -1,0 +1,75 @@
+//! Fluid that is inside something else, or does not reach it.
+
+use super::super::Layout;
+use super::super::clearance::nearest;
+use super::Diagnosis;
+use super::part::{GAP, OVERLAP, Part};
+use crate::Failure;
+use mps_io::scene_file::{SceneFile, Source};
+use mps_neighbors::Parallel;
+
+/// How far a gap is looked for, over half the sum of the spacings.
+const FAR: f64 = 4.0;
+
+pub(super) fn contacts(
+    scene: &SceneFile,
+    source: &Source,
+    layout: &Layout,
+    parallel: &Parallel,
+    found: &mut Diagnosis,
+) -> Result<(), Failure> {
+    let Some(fluid) = &scene.fluid else { return Ok(()) };
+    let l0 = fluid.spacing;
+    let bodies = layout.fluid.iter().enumerate();
+    let bodies: Vec<Part> = bodies
+        .map(|(k, places)| Part {
+            key: format!("fluid.bodies[{k}].region"),
+            places: places.clone(),
+            spacing: l0,
+            name: "another body of fluid",
+        })
+        .collect();
+    let solids = scene.solids.iter().zip(&layout.solids).enumerate().map(|(k, (solid, points))| Part {
+        key: format!("solids[{k}].region"),
+        places: points.iter().map(|(place, _)| *place).collect(),
+        spacing: solid.spacing,
+        name: &solid.name,
+    });
+    let fixed = scene.fixed.iter().zip(&layout.fixed).enumerate().map(|(k, (body, points))| Part {
+        key: format!("fixed[{k}].region"),
+        places: points.places.clone(),
+        spacing: points.spacing,
+        name: &body.name,
+    });
+    let behind = layout.behind.iter().map(|behind| Part {
+        key: behind.key.clone(),
+        places: behind.places.clone(),
+        spacing: l0,
+        name: "what lies behind an opening",
+    });
+    let rigid: Vec<Part> = Part::walls(scene, layout, l0).chain(solids).chain(fixed).chain(behind).collect();
+    for (k, body) in bodies.iter().enumerate() {
+        for other in bodies[k + 1..].iter().chain(&rigid) {
+            let unit = 0.5 * (body.spacing + other.spacing);
+            let Some(near) = nearest(&body.places, &other.places, FAR * unit, parallel)? else { continue };
+            let [x, y] = near.place;
+            let (apart, name) = (near.distance, other.name);
+            if apart < OVERLAP * unit {
+                let what = format!(
+                    "overlaps {name} ({}): two particles near ({x:.4}, {y:.4}) are {apart:.2e} m apart",
+                    other.key
+                );
+                let remedy = "move one of them, take one from the other (difference), give the line of a wall the other \
+                              direction (fluid is on its left), or a spacing of which the lengths are multiples";
+                found.refusals.push(source.problem(&body.key, what, remedy));
+            } else if apart > GAP * unit && !rigid.iter().any(|third| third.is_near(near.place, l0)) {
+                let gap = apart - unit;
+                let what =
+                    format!("leaves a gap of {gap:.2e} m to {name} ({}) near ({x:.4}, {y:.4})", other.key);
+                let remedy = "fluid will fall through it at once: close it, or make it wider if it is meant";
+                found.warnings.push(source.problem(&body.key, what, remedy));
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,173 @@
+//! What can be seen to be wrong with a scene before it runs.
+
+mod bodies;
+mod contacts;
+mod openings;
+mod part;
+
+use super::Layout;
+use super::lattice::Place;
+use crate::Failure;
+use bodies::bodies_apart;
+use contacts::contacts;
+use mps_io::scene_file::{Clamp, Corners, Problem, Region, SceneFile, Shape, Source};
+use mps_neighbors::Parallel;
+use openings::openings;
+
+/// Mach number from which the density varies by more than four percent.
+const MACH: f64 = 0.2;
+/// Particles across a body that give its bending stiffness to some percent.
+const ACROSS: f64 = 3.5;
+/// Something thinner than this many spacings of the fluid does not part the fluid on its two sides.
+const THIN: f64 = 2.0;
+
+/// What was found.
+#[derive(Clone, Debug, Default)]
+pub struct Diagnosis {
+    /// The scene cannot be run.
+    pub refusals: Vec<Problem>,
+    /// It can, but the result may not be what was wanted.
+    pub warnings: Vec<Problem>,
+    /// Largest speed over the sound speed that is to be expected, of a scene with fluid.
+    pub mach: Option<f64>,
+    /// Particles across the thinnest side of each body.
+    pub across: Vec<f64>,
+}
+
+/// Looks for parts that overlap, gaps, parts that are too thin, and flows that are too fast.
+///
+/// # Errors
+/// If places are not finite, which a scene that was read never has.
+pub fn diagnose(
+    scene: &SceneFile,
+    source: &Source,
+    layout: &Layout,
+    parallel: &Parallel,
+) -> Result<Diagnosis, Failure> {
+    let mut found = Diagnosis::default();
+    thickness(scene, source, &mut found);
+    speeds(scene, source, layout, &mut found);
+    support(scene, source, layout, &mut found);
+    contacts(scene, source, layout, parallel, &mut found)?;
+    openings(scene, source, layout, parallel, &mut found)?;
+    bodies_apart(scene, source, layout, parallel, &mut found)?;
+    Ok(found)
+}
+
+/// Length of the shortest side of the box around a region \[m\].
+fn thinnest(region: &Region) -> f64 {
+    let Some(Corners { lower, upper }) = region.bounds() else { return 0.0 };
+    lower.iter().zip(&upper).map(|(low, high)| high - low).fold(f64::INFINITY, f64::min)
+}
+
+fn thickness(scene: &SceneFile, source: &Source, found: &mut Diagnosis) {
+    let l0 = scene.fluid.as_ref().map_or(0.0, |fluid| fluid.spacing);
+    let mut parting = |thin: f64, key: &str| {
+        if thin < THIN * l0 * (1.0 - 1e-9) {
+            let what = format!("is {:.2} particles of the fluid thick and needs at least {THIN}", thin / l0);
+            let remedy = format!("make it thicker, or give fluid.spacing at most {:.3e}", thin / THIN);
+            found.refusals.push(source.problem(key, what, remedy));
+        }
+    };
+    for (k, wall) in scene.walls.iter().enumerate() {
+        if let Shape::Region(region) = &wall.shape {
+            parting(thinnest(region), &format!("walls[{k}].shape.region"));
+        }
+    }
+    for (k, solid) in scene.solids.iter().enumerate() {
+        parting(thinnest(&solid.region), &format!("solids[{k}].region"));
+    }
+    for (k, body) in scene.fixed.iter().enumerate() {
+        parting(thinnest(&body.region), &format!("fixed[{k}].region"));
+    }
+    for (k, solid) in scene.solids.iter().enumerate() {
+        let across = thinnest(&solid.region) / solid.spacing;
+        found.across.push(across);
+        if across < ACROSS {
+            let what = format!("makes {across:.1} particles across the thinnest side");
+            let remedy = format!(
+                "give at most {:.3e}: 4 across are usual, 8 for errors below a percent",
+                solid.spacing * across / 4.0
+            );
+            found.warnings.push(source.problem(&format!("solids[{k}].spacing"), what, remedy));
+        }
+    }
+}
+
+fn speeds(scene: &SceneFile, source: &Source, layout: &Layout, found: &mut Diagnosis) {
+    let Some(fluid) = &scene.fluid else { return };
+    let gravity = super::vector::<f64>(&scene.gravity);
+    let g = gravity.norm();
+    // How far fluid can fall: from its highest place to the lowest of fluid and wall surfaces.
+    let height = |place: &Place| if g > 0.0 { -gravity.dot(&super::vector(place)) / g } else { 0.0 };
+    let walls = layout.walls.iter().flatten().flat_map(|points| &points.places);
+    let depth = fluid.numerics.radius * fluid.spacing;
+    let lowest_wall = walls.map(height).fold(f64::INFINITY, f64::min) + depth;
+    let heights = || layout.fluid.iter().flatten().map(height);
+    let lowest = heights().fold(f64::INFINITY, f64::min).min(lowest_wall);
+    let fall = heights().fold(f64::NEG_INFINITY, f64::max) - lowest;
+    let falling = (2.0 * g * fall.max(0.0)).sqrt();
+    let thrown = fluid.bodies.iter().map(|body| super::vector::<f64>(&body.velocity).norm());
+    let entering = fluid.inlets.iter().map(|inlet| inlet.mean_speed * inlet.profile.largest());
+    let speed = thrown.chain(entering).fold(0.0, f64::max).hypot(falling);
+    let (sound, mach) = (fluid.sound(), speed / fluid.sound());
+    found.mach = Some(mach);
+    let key = if fluid.sound_speed.is_some() { "fluid.sound_speed" } else { "fluid.expected_speed" };
+    let what = format!(
+        "makes the sound {sound:.3} m/s fast, and fluid may reach {speed:.3} m/s: Mach {mach:.2}, \
+         the density would vary by {:.0} %",
+        100.0 * mach * mach
+    );
+    let remedy = if fluid.sound_speed.is_some() {
+        format!("give about {:.3}", 10.0 * speed)
+    } else {
+        format!("give about {speed:.3}")
+    };
+    if mach > 1.0 {
+        found.refusals.push(source.problem(key, what, remedy));
+    } else if mach > MACH {
+        found.warnings.push(source.problem(key, what, remedy));
+    }
+}
+
+/// Fluid and bodies that nothing keeps from falling out of the scene.
+fn support(scene: &SceneFile, source: &Source, layout: &Layout, found: &mut Diagnosis) {
+    let &[across, down] = scene.gravity.as_slice() else { return };
+    if across != 0.0 || down >= 0.0 {
+        return;
+    }
+    if let Some(fluid) = &scene.fluid {
+        let bin = |x: f64| (x / (2.0 * fluid.spacing)).floor() as i64;
+        let mut lowest = std::collections::BTreeMap::new();
+        let walls = layout.walls.iter().flatten().flat_map(|points| &points.places);
+        let solids = layout.solids.iter().flatten().map(|(place, _)| place);
+        let fixed = layout.fixed.iter().flat_map(|points| &points.places);
+        for [x, y] in walls.chain(solids).chain(fixed) {
+            lowest.entry(bin(*x)).and_modify(|low: &mut f64| *low = low.min(*y)).or_insert(*y);
+        }
+        for (k, body) in layout.fluid.iter().enumerate() {
+            let falls = |place: &&Place| lowest.get(&bin(place[0])).is_none_or(|low| *low > place[1]);
+            let count = body.iter().filter(falls).count();
+            if count > 0 {
+                let what = format!("has {count} of {} particles with no wall below", body.len());
+                let remedy = "they will fall out of the scene: let a wall reach under them";
+                found.warnings.push(source.problem(&format!("fluid.bodies[{k}].region"), what, remedy));
+            }
+        }
+    }
+    for (k, (solid, points)) in scene.solids.iter().zip(&layout.solids).enumerate() {
+        let held = points.iter().filter(|(_, held)| *held).count();
+        let key = format!("solids[{k}]");
+        if held == 0 && matches!(solid.clamp, Some(Clamp::Region(_))) {
+            let remedy =
+                "let the region cover the middle of at least one row of particles, or hold a side of a box";
+            found.refusals.push(source.problem(&format!("{key}.clamp.region"), "holds no particle", remedy));
+        } else if held == 0 && scene.fluid.is_none() {
+            found.warnings.push(source.problem(
+                &key,
+                "is held nowhere",
+                "it falls: add a clamp, or leave gravity out",
+            ));
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! Inlets and outlets: what is before and behind them.
+
+use super::super::Layout;
+use super::super::clearance::nearest;
+use super::super::lattice::Place;
+use super::Diagnosis;
+use super::part::{GAP, OVERLAP, Part};
+use crate::Failure;
+use mps_io::scene_file::{SceneFile, Source};
+use mps_neighbors::Parallel;
+
+/// An opening has fluid on its inner side, and walls beside what lies behind it.
+pub(super) fn openings(
+    scene: &SceneFile,
+    source: &Source,
+    layout: &Layout,
+    parallel: &Parallel,
+    found: &mut Diagnosis,
+) -> Result<(), Failure> {
+    let Some(fluid) = &scene.fluid else { return Ok(()) };
+    let l0 = fluid.spacing;
+    let water: Vec<Place> = layout.fluid.iter().flatten().copied().collect();
+    let walls: Vec<Part> = Part::walls(scene, layout, l0).collect();
+    for behind in &layout.behind {
+        if nearest(&water, &behind.places, GAP * l0, parallel)?.is_none() {
+            let remedy = "let a body of fluid begin at its plane, on the side where the fluid comes from (outlet) or goes to (inlet)";
+            found.refusals.push(source.problem(&behind.key, "has no fluid before it", remedy));
+        }
+        for wall in &walls {
+            let unit = 0.5 * (wall.spacing + l0);
+            if let Some(near) = nearest(&behind.places, &wall.places, OVERLAP * unit, parallel)? {
+                let [x, y] = near.place;
+                let what = format!("has a wall behind it near ({x:.4}, {y:.4})");
+                found.refusals.push(source.problem(
+                    &behind.key,
+                    what,
+                    "leave what lies behind the plane free of walls",
+                ));
+            }
+        }
+        for [x, y] in behind.ends {
+            if !walls.iter().any(|wall| wall.is_near([x, y], l0)) {
+                let what = format!("has no wall beside it near ({x:.4}, {y:.4})");
+                let remedy =
+                    format!("let the walls on both sides go on {:.3e} m behind its plane", behind.depth);
+                found.warnings.push(source.problem(&behind.key, what, remedy));
+            }
+        }
+    }
+    Ok(())
+}

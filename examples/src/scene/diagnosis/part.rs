@@ -1,0 +1,39 @@
+//! Parts of a scene, and when two of them touch.
+
+use super::super::Layout;
+use super::super::lattice::Place;
+use mps_io::scene_file::SceneFile;
+
+/// Points of two parts in contact are half the sum of their spacings apart. Less than this share of it, and one is
+/// inside the other: a square lattice leaves no place that is farther from its points than 0.71 of its spacing.
+pub(super) const OVERLAP: f64 = 0.72;
+/// More than this multiple, and there is a gap; rounding to whole cells makes up to 1.5.
+pub(super) const GAP: f64 = 1.55;
+
+/// A part of the scene with its key, points and spacing.
+pub(super) struct Part<'a> {
+    pub(super) key: String,
+    pub(super) places: Vec<Place>,
+    pub(super) spacing: f64,
+    pub(super) name: &'a str,
+}
+
+impl<'a> Part<'a> {
+    /// The walls of a scene whose fluid has the spacing `l0` \[m\].
+    pub(super) fn walls(scene: &'a SceneFile, layout: &Layout, l0: f64) -> impl Iterator<Item = Self> {
+        scene.walls.iter().zip(&layout.walls).enumerate().map(move |(k, (wall, points))| Part {
+            key: format!("walls[{k}].shape"),
+            places: points.iter().flat_map(|part| part.places.iter().copied()).collect(),
+            spacing: wall.fineness * l0,
+            name: &wall.name,
+        })
+    }
+}
+
+impl Part<'_> {
+    /// Whether it touches fluid at this place.
+    pub(super) fn is_near(&self, [x, y]: Place, l0: f64) -> bool {
+        let reach = GAP * 0.5 * (self.spacing + l0);
+        self.places.iter().any(|[a, b]| (a - x).hypot(b - y) < reach)
+    }
+}
