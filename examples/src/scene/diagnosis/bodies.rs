@@ -4,7 +4,7 @@ use super::super::Layout;
 use super::super::clearance::nearest;
 use super::super::lattice::Place;
 use super::Diagnosis;
-use super::part::{OVERLAP};
+use super::part::OVERLAP;
 use crate::Failure;
 use mps_io::scene_file::{SceneFile, Source};
 use mps_neighbors::Parallel;
