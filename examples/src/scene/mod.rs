@@ -46,7 +46,7 @@ pub use layout::Layout;
 pub use openings::Behind;
 pub use plan::plan;
 pub use plot::{Drawing, plot};
-pub use print::print_scene;
+pub use print::{form_of, print_scene};
 pub use resume::resume;
 pub use run::run;
 pub use viscosity::Viscous;

@@ -2,7 +2,7 @@
 
 use super::{Layout, diagnose};
 use crate::{Common, Failure};
-use mps_io::scene_file::{Output, SceneError, SceneFile, Source, parse};
+use mps_io::scene_file::{Output, PressureForm, SceneError, SceneFile, Source, parse};
 use mps_neighbors::Parallel;
 
 /// Prints the scene file that is the run of a `program` with its options, after it has passed what `mps check` asks for.
@@ -32,6 +32,14 @@ pub fn print_scene(program: &str, mut scene: SceneFile, common: &Common) -> Resu
         common.precision.name()
     ));
     Ok(())
+}
+
+/// The form of the pressure as scene files say it.
+pub fn form_of(form: mps_fluid::PressureForm) -> PressureForm {
+    match form {
+        mps_fluid::PressureForm::Plain => PressureForm::Plain,
+        mps_fluid::PressureForm::Corrected => PressureForm::Corrected,
+    }
 }
 
 #[allow(clippy::print_stdout, reason = "a program talks to its user")]

@@ -53,6 +53,12 @@ pub(crate) fn assert_same(a: &CsvTable, b: &CsvTable, columns: &[(&str, &str)], 
     }
 }
 
+/// The table of a plate's scene is that of the program.
+pub(crate) fn assert_same_plate(scene: &CsvTable, program: &CsvTable) {
+    let columns = ["time [s]", "tip x [m]", "tip y [m]", "energy [J/m]"].map(|name| (name, name));
+    assert_same(scene, program, &columns, 1e-9);
+}
+
 /// Where the workspace is.
 pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_path_buf()

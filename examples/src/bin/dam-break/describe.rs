@@ -7,10 +7,10 @@ use crate::setup::{
 };
 use crate::{FRAME_INTERVAL, PROBE_INTERVAL};
 use mps_examples::Refused;
+use mps_examples::scene::form_of;
 use mps_io::scene_file::{
     self, Body, Corners, Diffusion, Fixed, Fluid, FrontProbe, InitialPressure, LevelProbe, Measure, Numerics,
-    Output, Packing, PressureForm, PressureProbe, Probe, Region, SceneFile, Slip, Tension, Viscosity, Wall,
-    Way,
+    Output, Packing, PressureProbe, Probe, Region, SceneFile, Slip, Tension, Viscosity, Wall, Way,
 };
 
 /// The scene of these settings. The far wall, whose load the program measures, is a fixed body.
@@ -71,10 +71,7 @@ fn fluid(options: &Options, settings: &Settings) -> Fluid {
             mps_fluid::Tension::Clip => Tension::Clip,
             mps_fluid::Tension::Keep => Tension::Keep,
         },
-        pressure_form: match settings.pressure_form {
-            mps_fluid::PressureForm::Plain => PressureForm::Plain,
-            mps_fluid::PressureForm::Corrected => PressureForm::Corrected,
-        },
+        pressure_form: form_of(settings.pressure_form),
         ..Numerics::default()
     };
     let column = Body {

@@ -7,9 +7,10 @@ use crate::setup::{
 };
 use crate::{FIELD_INTERVAL, FRAME_INTERVAL, PROBE_INTERVAL, SNAPSHOT_INTERVAL};
 use mps_examples::Refused;
+use mps_examples::scene::form_of;
 use mps_io::scene_file::{
     Body, Clamp, Corners, DisplacementProbe, Elasticity, Fluid, InitialPressure, Material, Measure, Numerics,
-    Output, PressureForm, Probe, Region, SceneFile, Side, Slip, Solid, Viscosity, Wall, Weight,
+    Output, Probe, Region, SceneFile, Side, Slip, Solid, Viscosity, Wall, Weight,
 };
 
 /// The scene of these settings.
@@ -50,10 +51,7 @@ fn fluid(settings: &Settings) -> Fluid {
         radius: 3.0,
         shifting: settings.shifting,
         cfl: settings.cfl,
-        pressure_form: match settings.pressure_form {
-            mps_fluid::PressureForm::Plain => PressureForm::Plain,
-            mps_fluid::PressureForm::Corrected => PressureForm::Corrected,
-        },
+        pressure_form: form_of(settings.pressure_form),
         ..Numerics::default()
     };
     let body = Body {

@@ -1,22 +1,14 @@
 //! Bodies inside each other.
 
-use super::super::Layout;
 use super::super::clearance::nearest;
 use super::super::lattice::Place;
-use super::Diagnosis;
 use super::part::OVERLAP;
+use super::{Diagnosis, Subject};
 use crate::Failure;
-use mps_io::scene_file::{SceneFile, Source};
-use mps_neighbors::Parallel;
 
 /// Bodies know nothing of each other: they would pass through one another.
-pub(super) fn bodies_apart(
-    scene: &SceneFile,
-    source: &Source,
-    layout: &Layout,
-    parallel: &Parallel,
-    found: &mut Diagnosis,
-) -> Result<(), Failure> {
+pub(super) fn bodies_apart(subject: &Subject<'_>, found: &mut Diagnosis) -> Result<(), Failure> {
+    let Subject { scene, source, layout, parallel } = *subject;
     let bodies: Vec<_> = scene.solids.iter().zip(&layout.solids).enumerate().collect();
     let places = |points: &[(Place, bool)]| points.iter().map(|(place, _)| *place).collect::<Vec<_>>();
     for (k, (solid, points)) in &bodies {

@@ -1,23 +1,15 @@
 //! Fluid that is inside something else, or does not reach it.
 
-use super::super::Layout;
 use super::super::clearance::nearest;
-use super::Diagnosis;
 use super::part::{GAP, OVERLAP, Part};
+use super::{Diagnosis, Subject};
 use crate::Failure;
-use mps_io::scene_file::{SceneFile, Source};
-use mps_neighbors::Parallel;
 
 /// How far a gap is looked for, over half the sum of the spacings.
 const FAR: f64 = 4.0;
 
-pub(super) fn contacts(
-    scene: &SceneFile,
-    source: &Source,
-    layout: &Layout,
-    parallel: &Parallel,
-    found: &mut Diagnosis,
-) -> Result<(), Failure> {
+pub(super) fn contacts(subject: &Subject<'_>, found: &mut Diagnosis) -> Result<(), Failure> {
+    let Subject { scene, source, layout, parallel } = *subject;
     let Some(fluid) = &scene.fluid else { return Ok(()) };
     let l0 = fluid.spacing;
     let bodies = layout.fluid.iter().enumerate();

@@ -48,10 +48,20 @@ pub fn diagnose(
     thickness(scene, source, &mut found);
     speeds(scene, source, layout, &mut found);
     support(scene, source, layout, &mut found);
-    contacts(scene, source, layout, parallel, &mut found)?;
-    openings(scene, source, layout, parallel, &mut found)?;
-    bodies_apart(scene, source, layout, parallel, &mut found)?;
+    let subject = Subject { scene, source, layout, parallel };
+    contacts(&subject, &mut found)?;
+    openings(&subject, &mut found)?;
+    bodies_apart(&subject, &mut found)?;
     Ok(found)
+}
+
+/// A scene, where its keys stand in the text, and the places that were made of it.
+#[derive(Clone, Copy)]
+struct Subject<'a> {
+    scene: &'a SceneFile,
+    source: &'a Source,
+    layout: &'a Layout,
+    parallel: &'a Parallel,
 }
 
 /// Length of the shortest side of the box around a region \[m\].

@@ -1,22 +1,14 @@
 //! Inlets and outlets: what is before and behind them.
 
-use super::super::Layout;
 use super::super::clearance::nearest;
 use super::super::lattice::Place;
-use super::Diagnosis;
 use super::part::{GAP, OVERLAP, Part};
+use super::{Diagnosis, Subject};
 use crate::Failure;
-use mps_io::scene_file::{SceneFile, Source};
-use mps_neighbors::Parallel;
 
 /// An opening has fluid on its inner side, and walls beside what lies behind it.
-pub(super) fn openings(
-    scene: &SceneFile,
-    source: &Source,
-    layout: &Layout,
-    parallel: &Parallel,
-    found: &mut Diagnosis,
-) -> Result<(), Failure> {
+pub(super) fn openings(subject: &Subject<'_>, found: &mut Diagnosis) -> Result<(), Failure> {
+    let Subject { scene, source, layout, parallel } = *subject;
     let Some(fluid) = &scene.fluid else { return Ok(()) };
     let l0 = fluid.spacing;
     let water: Vec<Place> = layout.fluid.iter().flatten().copied().collect();
