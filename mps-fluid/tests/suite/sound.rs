@@ -1,6 +1,7 @@
 //! Standing sound waves and what bulk viscosity takes of them.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
+use crate::common::Noise;
 use core::f64::consts::PI;
 use mps_fluid::{Boundary, Diffusion, Fluid, FluidConfig, FluidParticles, PressureForm, Tension};
 use mps_kernel::Vector;
@@ -16,10 +17,11 @@ fn wave(
     n: usize,
     damping: f64,
     form: PressureForm,
+    cfl: f64,
 ) -> Fluid<f64, 2, WendlandGradient, (), PeriodicBox<f64, 2>> {
     let l0 = 1.0 / n as f64;
     let mut config = FluidConfig::water(l0, SOUND);
-    (config.radius_ratio, config.cfl, config.sound_damping) = (3.0, 0.25, damping);
+    (config.radius_ratio, config.cfl, config.sound_damping) = (3.0, cfl, damping);
     (config.tension, config.collisions, config.diffusion) = (Tension::Keep, None, Diffusion::None);
     config.pressure_form = form;
     let place = |k: usize| (k as f64 + 0.5) * l0;
@@ -34,7 +36,7 @@ fn wave(
 
 /// Rate \[1/s\] at which the amplitude decays over two periods.
 fn decay(n: usize, damping: f64, form: PressureForm) -> f64 {
-    let (parallel, mut fluid) = (Parallel::serial(), wave(n, damping, form));
+    let (parallel, mut fluid) = (Parallel::serial(), wave(n, damping, form, 0.25));
     let start = fluid.energy(&parallel).total();
     let end = 2.0 / SOUND;
     while fluid.time() < end {
@@ -57,9 +59,26 @@ fn sound_decays_as_bulk_viscosity_says() {
 }
 
 #[test]
+fn damping_of_any_strength_is_stable_at_courant_number_one() {
+    let parallel = Parallel::serial();
+    for damping in [0.0, 0.2, 0.5, 1.0, 2.0] {
+        let mut fluid = wave(16, damping, PressureForm::Corrected, 1.0);
+        let mut noise = Noise::new(5);
+        fluid.particles_mut().velocity.iter_mut().for_each(|u| *u = noise.vector(1e-4));
+        let start = fluid.energy(&parallel).total();
+        for _ in 0..500 {
+            fluid.step(&parallel).unwrap();
+        }
+        let end = fluid.energy(&parallel).total();
+        assert!(end < 1.001 * start, "{damping}: {start} to {end} J");
+        assert!(damping == 0.0 || end < 0.9 * start, "{damping}: {start} to {end} J");
+    }
+}
+
+#[test]
 fn what_sound_loses_is_booked() {
     let parallel = Parallel::serial();
-    let mut fluid = wave(32, 0.5, PressureForm::Plain);
+    let mut fluid = wave(32, 0.5, PressureForm::Plain, 0.25);
     fluid.keep_books();
     let start = fluid.energy(&parallel).total();
     for _ in 0..200 {

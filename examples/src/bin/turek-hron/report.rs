@@ -3,7 +3,8 @@
 use crate::observe::{Observer, Sample};
 use crate::reference::{SOURCE, Swing};
 use crate::setup::{Channel, Settings};
-use mps_examples::series::{extremes, harmonic};
+use mps_examples::harmonics::harmonic;
+use mps_examples::series::extremes;
 use mps_examples::{Failure, enter_results};
 use mps_io::{CurvePlot, Metric, Summary};
 use mps_kernel::Real;
