@@ -8,6 +8,7 @@ mod book;
 mod cli;
 mod conclusion;
 mod connected;
+pub mod harmonics;
 mod recording;
 mod released_column;
 mod rings;

@@ -1,7 +1,5 @@
 //! Numbers read off a series: periods, extremes, slopes.
 
-use nalgebra::{Matrix3, Vector3};
-
 /// Times at which a series passes zero, by linear interpolation.
 pub fn zeros(time: &[f64], value: &[f64]) -> Vec<f64> {
     let pairs = time.windows(2).zip(value.windows(2));
@@ -45,51 +43,6 @@ pub fn oscillation(time: &[f64], value: &[f64]) -> Option<Oscillation> {
     let start = time.partition_point(|t| *t < time.last().copied().unwrap_or(0.0) - period);
     let [low, high] = extremes(&value[start..])?;
     Some(Oscillation { mean: 0.5 * (high + low), amplitude: 0.5 * (high - low), period })
-}
-
-/// What is left of a noisy series but one harmonic: `mean + amplitude cos(2 pi frequency t + phase) + rest`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Harmonic {
-    /// Mean of the series without the harmonic.
-    pub mean: f64,
-    /// Half the height of the harmonic.
-    pub amplitude: f64,
-    /// Its frequency \[Hz\].
-    pub frequency: f64,
-    /// Root mean square of what it does not explain.
-    pub rest: f64,
-}
-
-/// The harmonic that explains most of a series in the sense of least squares, with a frequency within a third of `expected`
-/// \[Hz\]. Unlike extremes it does not grow with the noise. `None` if the series is shorter than two periods.
-pub fn harmonic(time: &[f64], value: &[f64], expected: f64) -> Option<Harmonic> {
-    /// Steps of the search on either side.
-    const STEPS: i32 = 250;
-    let span = time.last()? - time.first()?;
-    if !(expected > 0.0 && span * expected >= 2.0) {
-        return None;
-    }
-    let at = |step: i32| expected * (1.0 + f64::from(step) / f64::from(3 * STEPS));
-    let fits = (-STEPS..=STEPS).filter_map(|step| fitted(time, value, at(step)));
-    fits.min_by(|a, b| a.rest.total_cmp(&b.rest))
-}
-
-/// The least squares of a given frequency \[Hz\].
-fn fitted(time: &[f64], value: &[f64], frequency: f64) -> Option<Harmonic> {
-    let (mut matrix, mut right) = (Matrix3::<f64>::zeros(), Vector3::<f64>::zeros());
-    let shape = |t: f64| {
-        let (sin, cos) = (core::f64::consts::TAU * frequency * t).sin_cos();
-        Vector3::new(1.0, cos, sin)
-    };
-    for (t, v) in time.iter().zip(value) {
-        let shape = shape(*t);
-        matrix += shape * shape.transpose();
-        right += shape * *v;
-    }
-    let found = matrix.lu().solve(&right)?;
-    let squares: f64 = time.iter().zip(value).map(|(t, v)| (v - found.dot(&shape(*t))).powi(2)).sum();
-    let rest = (squares / value.len() as f64).sqrt();
-    Some(Harmonic { mean: found[0], amplitude: found[1].hypot(found[2]), frequency, rest })
 }
 
 /// Largest size of the series between consecutive times of `at`, with the time it is reached, by a
@@ -149,18 +102,5 @@ mod tests {
         assert!((found.period * 6.9 / core::f64::consts::TAU - 1.0).abs() < 1e-4, "{found:?}");
         assert_eq!(oscillation(&time[..100], &value[..100]), None);
         assert_eq!(oscillation(&[], &[]), None);
-    }
-
-    #[test]
-    fn a_harmonic_is_found_under_noise_larger_than_itself() {
-        let time: Vec<f64> = (0..4000).map(|k| f64::from(k) * 1e-3).collect();
-        // Far from the harmonic: 130 Hz, and twice its size.
-        let noise = |t: f64| 2.0 * (core::f64::consts::TAU * 130.0 * t).sin();
-        let value: Vec<f64> = time.iter().map(|t| 5.0 + (34.0 * t + 0.7).cos() + noise(*t)).collect();
-        let found = harmonic(&time, &value, 5.0).unwrap();
-        assert!((found.mean - 5.0).abs() < 2e-3 && (found.amplitude - 1.0).abs() < 5e-3, "{found:?}");
-        assert!((found.frequency * core::f64::consts::TAU / 34.0 - 1.0).abs() < 2e-3, "{found:?}");
-        assert!((found.rest - 2.0_f64.sqrt()).abs() < 5e-3, "{found:?}");
-        assert_eq!(harmonic(&time[..300], &value[..300], 5.0), None, "not even two periods");
     }
 }

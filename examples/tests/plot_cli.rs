@@ -94,3 +94,30 @@ fn the_table_of_another_program_is_drawn() {
     assert!(output.status.success(), "{}", words(&output.stderr));
     assert!(dir.join("probe_tip_y.png").exists() && dir.join("probe_energy.png").exists());
 }
+
+#[test]
+fn harmonics_of_a_table_are_told() {
+    let dir = fresh("plots", "harmonics");
+    std::fs::create_dir_all(&dir).unwrap();
+    let mut table = "time [s],lift [N/m],level [m]\n".to_owned();
+    for k in 0..400 {
+        let t = f64::from(k) * 0.01;
+        table += &format!("{t},{},0.5\n", 3.0 + 2.0 * (core::f64::consts::TAU * 5.0 * t).cos());
+    }
+    std::fs::write(dir.join("probes.csv"), table).unwrap();
+    let run =
+        |arguments: &[&str]| Command::new(MPS).arg("harmonics").arg(&dir).args(arguments).output().unwrap();
+    let told = words(&run(&["--from", "1", "--to", "3", "--count", "1"]).stdout);
+    assert!(told.contains("| lift [N/m] | 3.00000e0 | 2.0000e0 | 5.0000 |"), "{told}");
+    assert!(told.contains("| level [m] | 5.00000e-1 | - | - | 0.000e0 |"), "{told}");
+    let one = words(&run(&["--column", "level"]).stdout);
+    assert!(one.contains("level") && !one.contains("lift"), "{one}");
+    for (arguments, message) in [
+        (["--column", "lft"], "did you mean \"lift\"?"),
+        (["--from", "8"], "--from is 8: the run has 400 rows up to 3.9900 s: give an earlier time"),
+    ] {
+        let output = run(&arguments);
+        let said = words(&output.stderr);
+        assert!(!output.status.success() && said.contains(message), "{said}");
+    }
+}

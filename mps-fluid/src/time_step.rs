@@ -9,7 +9,7 @@ use mps_neighbors::{Domain, Parallel};
 const ESCAPED: f64 = 20.0;
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
-    /// `dt = C min(l0/(v_max + c), l0^2/nu)` (eq. 46), and `sqrt(l0/a_max)` for sudden forces.
+    /// `dt = C min(l0/(v_max + c), l0^2/nu)` (eq. 46), `rho0 l0^2/(2 zeta)` for the bulk viscosity, and `sqrt(l0/a_max)` for sudden forces.
     pub(crate) fn stable_step(&self, parallel: &Parallel) -> Result<T, FluidError> {
         let (u, a) = (&self.particles.velocity, &self.rates.acceleration);
         // Keeps a NaN once it has met one, so that it cannot hide behind a comparison.
@@ -30,6 +30,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if nu > T::zero() {
             // 1/8 keeps explicit diffusion on this stencil inside its stability limit.
             limit = limit.min(l0 * l0 * T::of(0.125) / nu);
+        }
+        if self.config.sound_damping > T::zero() {
+            limit = limit.min(l0 / (T::of(2.0) * self.config.sound_damping * c));
         }
         if a2 > T::zero() {
             limit = limit.min((l0 / a2.sqrt()).sqrt());

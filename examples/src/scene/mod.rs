@@ -11,7 +11,8 @@
 //! | `probes`, `observer`, `fields`, `report` | what is measured, written, and said |
 //! | `run`, `watched` | the run, with all that watches it |
 //! | `keeper`, `resume` | its checkpoints, and how it goes on from one |
-//! | `plan`, `plot` | what a run will cost, and the plots of one made before |
+//! | `plan` | what a run will cost |
+//! | `table`, `plot`, `harmonics` | the probes of a run made before: its plots, and what oscillates in it |
 //! | `print` | the scene that a program describes instead of running it |
 
 mod bodies;
@@ -19,6 +20,7 @@ mod clearance;
 mod diagnosis;
 mod fields;
 mod fixed;
+mod harmonics;
 mod keeper;
 mod lattice;
 mod law;
@@ -34,6 +36,7 @@ mod probes;
 mod report;
 mod resume;
 mod run;
+mod table;
 mod viscosity;
 mod watched;
 mod water;
@@ -41,6 +44,7 @@ mod world;
 
 pub use diagnosis::{Diagnosis, diagnose};
 pub use fixed::FixedPoints;
+pub use harmonics::{Window, harmonics};
 pub use law::Law;
 pub use layout::Layout;
 pub use openings::Behind;

@@ -49,9 +49,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                 .find(|(outlet, _)| outlet.holds(&position[i]))
                 .map(|(_, n)| *n)
         };
-        parallel.update(self.rates.density_rate.as_mut_slice(), |i, rate| {
+        let rates = (self.rates.density_rate.as_mut_slice(), self.particles.divergence.as_mut_slice());
+        parallel.update(rates, |i, (rate, divergence)| {
             if let Some(n) = held(i) {
                 *rate = (n - density[i]) / dt;
+                *divergence = T::zero();
             }
         });
     }

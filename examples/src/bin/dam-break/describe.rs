@@ -67,6 +67,7 @@ fn fluid(options: &Options, settings: &Settings) -> Fluid {
         collisions: settings.collisions,
         shifting: settings.shifting,
         cfl: settings.cfl,
+        sound_damping: settings.sound_damping,
         tension: match settings.tension {
             mps_fluid::Tension::Clip => Tension::Clip,
             mps_fluid::Tension::Keep => Tension::Keep,

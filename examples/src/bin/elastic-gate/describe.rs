@@ -51,6 +51,7 @@ fn fluid(settings: &Settings) -> Fluid {
         radius: 3.0,
         shifting: settings.shifting,
         cfl: settings.cfl,
+        sound_damping: settings.sound_damping,
         pressure_form: form_of(settings.pressure_form),
         ..Numerics::default()
     };

@@ -33,6 +33,9 @@ pub(crate) struct Options {
     /// Courant number of the fluid
     #[arg(long, value_name = "C", default_value_t = 0.5)]
     pub(crate) cfl: f64,
+    /// Bulk viscosity in units of density, sound speed and spacing: damps sound
+    #[arg(long, value_name = "Z", default_value_t = 0.0)]
+    pub(crate) sound_damping: f64,
     /// Strength of the artificial viscosity
     #[arg(long, value_name = "ALPHA", default_value_t = 0.02)]
     pub(crate) alpha: f64,
@@ -142,6 +145,12 @@ impl Options {
             "give a Courant number between 0 and 2, e.g. 0.5",
         )?;
         Refused::unless(
+            (0.0..=2.0).contains(&self.sound_damping),
+            "--sound-damping",
+            self.sound_damping,
+            "give a strength between 0 and 2, e.g. 0.2",
+        )?;
+        Refused::unless(
             self.sound_ratio.is_finite() && self.sound_ratio >= 1.0,
             "--sound-ratio",
             self.sound_ratio,
@@ -175,6 +184,7 @@ impl Options {
             end_time: self.end_time,
             sound_ratio: self.sound_ratio,
             cfl: self.cfl,
+            sound_damping: self.sound_damping,
             alpha: self.alpha,
             shifting: self.shifting,
             pressure_form: if self.corrected { PressureForm::Corrected } else { PressureForm::Plain },

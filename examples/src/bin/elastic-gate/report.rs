@@ -70,6 +70,7 @@ pub(crate) fn summary<T: Real>(
     summary.set("particles_across_gate", settings.across);
     summary.set("sound_speed_m_s", sound_speed(settings));
     summary.set("cfl", settings.cfl);
+    summary.set("sound_damping", settings.sound_damping);
     summary.set("artificial_viscosity", settings.alpha);
     summary.set("shifting_parts", settings.shifting);
     summary.set("pressure_form", if options.corrected { "corrected" } else { "plain" });

@@ -58,6 +58,8 @@ pub(crate) struct Settings {
     pub(crate) sound_ratio: f64,
     /// Courant number of the fluid.
     pub(crate) cfl: f64,
+    /// Bulk viscosity in units of `rho0 c l0` (-).
+    pub(crate) sound_damping: f64,
     /// Strength of the artificial viscosity.
     pub(crate) alpha: f64,
     /// Parts of the particle shifting in a step, 0 for none.
@@ -85,6 +87,7 @@ fn water<T: Real>(settings: &Settings) -> Result<Fluid<T, 2, Rational, Artificia
     let mut config = FluidConfig::water(T::of(l0), T::of(sound_speed(settings)));
     config.gravity = Vector::from([T::zero(), T::of(-GRAVITY)]);
     config.cfl = T::of(settings.cfl);
+    config.sound_damping = T::of(settings.sound_damping);
     config.pressure_form = settings.pressure_form;
     config.shifting =
         (settings.shifting > 0).then(|| Shifting { iterations: settings.shifting, ..Shifting::default() });

@@ -1,7 +1,7 @@
 //! Runs scenes that are written down in files.
 
 use clap::{Args, Parser, Subcommand};
-use mps_examples::scene::{Diagnosis, Drawing, Layout, diagnose, plan, plot, resume, run};
+use mps_examples::scene::{Diagnosis, Drawing, Layout, Window, diagnose, harmonics, plan, plot, resume, run};
 use mps_examples::{Common, Failure, Precision, Refused, exit_code};
 use mps_io::scene_file::{self, SceneError, SceneFile};
 use mps_neighbors::Parallel;
@@ -34,6 +34,8 @@ enum Command {
     Plan(Run),
     /// Draw the plots of a run again from its probes.csv, or columns of it in one plot
     Plot(Plot),
+    /// Take columns of the probes.csv of a run apart into their strongest harmonics
+    Harmonics(Harmonics),
     /// Print the JSON Schema of scene files, for editors that complete and check them
     Schema {
         /// A table of all keys in Markdown instead
@@ -117,6 +119,24 @@ struct Plot {
 }
 
 #[derive(Args, Clone, Debug)]
+struct Harmonics {
+    /// The directory of the run: of this program, or of another one with a table
+    directory: PathBuf,
+    /// A column, by its heading with or without the unit; may be repeated; all if left out
+    #[arg(long = "column", value_name = "NAME")]
+    columns: Vec<String>,
+    /// Begin of the part that is taken apart (s); the middle of the run if left out
+    #[arg(long, value_name = "S")]
+    from: Option<f64>,
+    /// Its end (s); that of the run if left out
+    #[arg(long, value_name = "S")]
+    to: Option<f64>,
+    /// How many harmonics of each column
+    #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u8).range(1..=20))]
+    count: u8,
+}
+
+#[derive(Args, Clone, Debug)]
 struct Run {
     /// The scene file
     scene: PathBuf,
@@ -152,6 +172,10 @@ fn main() -> ExitCode {
         }
         Command::Plot(Plot { directory, columns, over, picture }) => {
             plot(&directory, &Drawing { columns, over, picture }).map(|drawn| say(&format!("{drawn}\n")))
+        }
+        Command::Harmonics(Harmonics { directory, columns, from, to, count }) => {
+            let window = Window { from, to, count: usize::from(count) };
+            harmonics(&directory, &columns, window).map(|table| say(&table))
         }
         Command::Schema { reference } => {
             let schema =

@@ -3,7 +3,8 @@
 use crate::observe::{Observer, Sample};
 use crate::reference::{SOURCE, Swing};
 use crate::setup::{Channel, Settings};
-use mps_examples::series::{extremes, harmonic};
+use mps_examples::harmonics::harmonic;
+use mps_examples::series::extremes;
 use mps_examples::{Failure, enter_results};
 use mps_io::{CurvePlot, Metric, Summary};
 use mps_kernel::Real;
@@ -63,6 +64,7 @@ pub(crate) fn summary<T: Real>(settings: &Settings, scene: &Channel<T>, observer
     summary.set("length_m", settings.length);
     summary.set("sound_speed_m_s", settings.sound_speed());
     summary.set("cfl", settings.cfl);
+    summary.set("sound_damping", settings.sound_damping);
     summary.set("pressure_level_pa", settings.level());
     summary.set("density_diffusion", config.diffusion.delta().to_double());
     summary.set("radius_ratio", config.radius_ratio.to_double());
