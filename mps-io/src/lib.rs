@@ -4,7 +4,7 @@
 //! tensors of `mps-kernel` and nothing of fluids, solids or time steps.
 //!
 //! - [`prepare_output`]: proves before the first step that results can be written.
-//! - [`FieldWriter`], [`PointCloud`]: one `.vtu` a frame and a `.pvd` that ParaView opens while the
+//! - [`FieldWriter`], [`PointCloud`]: one `.vtu` or `.vtkhdf` a frame and a list that ParaView opens while the
 //!   job runs.
 //! - [`CsvWriter`], [`CsvTable`]: time series, complete after every row; reference curves.
 //! - [`CurvePlot`]: results as lines, experiments as markers, their scatter as bands.
@@ -36,4 +36,4 @@ pub use picture::{ColorMap, FieldPicture, Film, Image, View, value_range};
 pub use plot::CurvePlot;
 pub use progress::Progress;
 pub use summary::{Metric, Summary, Value, peak_memory_bytes};
-pub use vtk::{FieldOptions, FieldWriter, PointCloud};
+pub use vtk::{FieldFormat, FieldOptions, FieldWriter, PointCloud};
