@@ -8,6 +8,8 @@ mod book;
 mod cli;
 mod conclusion;
 mod connected;
+mod log;
+mod milestones;
 mod recording;
 mod released_column;
 mod rings;
@@ -15,16 +17,21 @@ pub mod scene;
 mod schedule;
 pub mod series;
 pub mod solid;
+mod stop;
 pub mod submerged;
+mod watch;
 mod words;
 
 pub use cli::{Common, Precision, Refused};
 pub use conclusion::{Cost, conclude, enter_results, exit_code};
 pub use connected::{GAP, connected};
+pub use log::LogLevel;
 pub use recording::{Recorded, record};
 pub use released_column::released_column;
 pub use rings::rings;
 pub use schedule::{Due, Moments};
+pub use stop::{Asked, Stop, Stopped};
+pub use watch::Watch;
 pub use words::{closing_words, report_failure};
 
 /// Any error of an example, already worded for the user.

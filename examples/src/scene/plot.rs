@@ -1,10 +1,10 @@
 //! Plots of a run that was made before.
 
-use super::observer::measured;
+use super::observer::{TABLE, measured};
 use super::report::plots;
 use crate::Failure;
 use mps_io::scene_file::{closest, read};
-use mps_io::{CsvTable, CurvePlot};
+use mps_io::{CsvTable, CurvePlot, find_table};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -30,7 +30,7 @@ enum Undrawn {
     Empty { table: PathBuf },
 }
 
-/// Draws the probes of the run in `dir` again, from its `probes.csv`. Returns what the plots are called.
+/// Draws the probes of the run in `dir` again, from its table of probes. Returns what the plots are called.
 ///
 /// Without columns the plots are those that the run of a scene makes at its end, for a run that goes on or was killed as well; of other
 /// programs, a plot of every column. Columns are drawn into one plot.
@@ -38,8 +38,7 @@ enum Undrawn {
 /// # Errors
 /// If there is no such table, or it has no such columns.
 pub fn plot(dir: &Path, drawing: &Drawing) -> Result<String, Failure> {
-    let path = dir.join("probes.csv");
-    let table = CsvTable::read(&path)?;
+    let (table, path) = find_table(dir, TABLE)?;
     if table.columns.iter().all(Vec::is_empty) {
         return Err(Undrawn::Empty { table: path }.into());
     }

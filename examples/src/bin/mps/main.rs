@@ -2,7 +2,7 @@
 
 use clap::{Args, Parser, Subcommand};
 use mps_examples::scene::{Diagnosis, Drawing, Layout, diagnose, plan, plot, resume, run};
-use mps_examples::{Common, Failure, Precision, Refused, exit_code};
+use mps_examples::{Common, Failure, LogLevel, Precision, Refused, exit_code};
 use mps_io::scene_file::{self, SceneError, SceneFile};
 use mps_neighbors::Parallel;
 use std::path::{Path, PathBuf};
@@ -83,6 +83,9 @@ struct Resume {
     /// No progress, no closing words
     #[arg(long)]
     quiet: bool,
+    /// How much goes into run.log beside the results
+    #[arg(long, value_enum, value_name = "LEVEL", default_value_t)]
+    log: LogLevel,
     #[command(flatten)]
     keep: Keep,
 }
@@ -95,6 +98,7 @@ impl Resume {
             out: None,
             no_fields: false,
             quiet: self.quiet,
+            log: self.log,
         };
         common.check()?;
         resume(&self.directory, self.end_time, &common, self.keep.interval()?)
