@@ -257,7 +257,7 @@ fn a_file_ends_a_run_as_a_signal_does() {
 #[test]
 fn a_file_ends_the_programs_of_the_cases_with_their_results() {
     let dir = fresh("output", "gate-stopped");
-    let arguments = ["--spacing", "2.5e-3", "--end-time", "50"];
+    let arguments = ["--spacing", "2.5e-3", "--end-time", "2.0"];
     let output = stop(start(env!("CARGO_BIN_EXE_elastic-gate"), &dir, &arguments), &dir);
     let said = words(&output.stderr);
     assert!(!output.status.success() && said.contains("stopped by the file `stop` at t = "), "{said}");

@@ -7,8 +7,9 @@
 import json
 import sys
 
-import vtk
-from vtk.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOHDF import vtkHDFReader
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 VERTEX = 1
 
@@ -24,7 +25,7 @@ def described(array, names_only):
 
 
 def read(path, names_only):
-    reader = vtk.vtkHDFReader() if path.endswith(".vtkhdf") else vtk.vtkXMLUnstructuredGridReader()
+    reader = vtkHDFReader() if path.endswith(".vtkhdf") else vtkXMLUnstructuredGridReader()
     reader.SetFileName(path)
     # A broken file is told on standard error, and no Python error.
     failures = []

@@ -2,6 +2,7 @@
 
 use super::World;
 use super::lattice::Place;
+use crate::Failure;
 use mps_kernel::{Kernel, Real, Vector};
 
 /// Impulse \[N s/m\] along x and y, angular impulse about the origin \[N s\] and work \[J/m\] that structures have been handed since
@@ -28,12 +29,15 @@ pub(super) struct WallPart {
 
 impl WallPart {
     /// Between two points \[m\], with the fluid on the left.
+    ///
+    /// # Errors
+    /// If there is nothing of the body behind it.
     pub(super) fn new<T: Real, K: Kernel<T>>(
         world: &World<T, K>,
         body: usize,
         from: Place,
         to: Place,
-    ) -> Self {
+    ) -> Result<Self, Failure> {
         let (along, length) = unit([to[0] - from[0], to[1] - from[1]]);
         let normal = [-along[1], along[0]];
         let scene = world.coupled();
@@ -49,8 +53,16 @@ impl WallPart {
             // Points on the surface are behind it whatever the rounding; each end belongs to one of the parts it divides.
             (0.0..length).contains(&s) && (-depth..1e-6 * depth).contains(&out)
         };
-        let points = positions.iter().enumerate().filter(|(_, r)| behind(r)).map(|(k, _)| k).collect();
-        Self { body, points, normal, length }
+        let points: Vec<_> =
+            positions.iter().enumerate().filter(|(_, r)| behind(r)).map(|(k, _)| k).collect();
+        if points.is_empty() {
+            let line = format!("from {from:?} to {to:?}");
+            return Err(format!(
+                "the wall {line} has no point of its body behind it: give a line on the surface, with the fluid on its left"
+            )
+            .into());
+        }
+        Ok(Self { body, points, normal, length })
     }
 
     /// Mean pressure on it in the last step \[Pa\].

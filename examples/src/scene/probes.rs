@@ -83,7 +83,7 @@ impl<T: Real> Probe<T> {
             }
             Measure::WallPressure(wall) => {
                 let body = structures(scene, std::slice::from_ref(&wall.on))?[0];
-                Sense::Wall(WallPart::new(world, body, place(&wall.from), place(&wall.to)))
+                Sense::Wall(WallPart::new(world, body, place(&wall.from), place(&wall.to))?)
             }
             Measure::Budget(budget) => Sense::Budget(structures(scene, &budget.on)?),
         };
