@@ -3,19 +3,27 @@
 use crate::Failure;
 use crate::stop::Stopped;
 use std::fmt::Display;
+use std::time::Duration;
 
 /// How far the log has got.
 pub(crate) struct Milestones {
     end: f64,
     /// Hundredths of the run that are over.
     passed: u64,
+    /// What measuring, drawing and writing have taken.
+    looking: Duration,
 }
 
 impl Milestones {
     /// A run that goes from this time \[s\] to that.
     pub(crate) fn begin(from: f64, end: f64) -> Self {
         tracing::info!(from, end, version = env!("CARGO_PKG_VERSION"), "begins");
-        Self { end, passed: hundredths(from, end) }
+        Self { end, passed: hundredths(from, end), looking: Duration::ZERO }
+    }
+
+    /// What one look has taken.
+    pub(crate) fn looked(&mut self, taken: Duration) {
+        self.looking += taken;
     }
 
     /// Time \[s\] and length \[s\] of a step that was made.
@@ -32,10 +40,13 @@ impl Milestones {
 
     /// How it ended, after `stepping` \[s\] of steps.
     pub(crate) fn end(&self, time: f64, steps: u64, stepping: f64, failure: Option<&Failure>) {
+        let looking = self.looking.as_secs_f64();
         match failure {
-            None => tracing::info!(time, steps, stepping, "completed"),
-            Some(stopped) if is_stopped(stopped) => tracing::warn!(time, steps, stepping, "{stopped}"),
-            Some(failure) => tracing::error!(time, steps, stepping, "{failure}"),
+            None => tracing::info!(time, steps, stepping, looking, "completed"),
+            Some(stopped) if is_stopped(stopped) => {
+                tracing::warn!(time, steps, stepping, looking, "{stopped}")
+            }
+            Some(failure) => tracing::error!(time, steps, stepping, looking, "{failure}"),
         }
     }
 }

@@ -90,7 +90,9 @@ fn steps(
         let last = time >= end;
         run.keep(dt, *stepping, last)?;
         let stopped = if last { None } else { watch.stopped(time) };
+        let clock = Instant::now();
         run.look(dt, last || stopped.is_some())?;
+        milestones.looked(clock.elapsed());
         if last || stopped.is_some() {
             progress.finish(time, run.steps());
             return stopped.map_or(Ok(()), Err);

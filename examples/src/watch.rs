@@ -18,13 +18,13 @@ impl Watch {
     /// # Errors
     /// If the log cannot be written, or the system refuses.
     pub fn begin(dir: &Path, common: &Common) -> Result<Self, Failure> {
-        log::begin(dir, common.log, false)?;
-        Ok(Self { quiet: common.quiet, stop: Some(Stop::listen(dir)?) })
+        Ok(Self { stop: Some(Stop::listen(dir)?), ..Self::kept(dir, common, false)? })
     }
 
     /// As [`begin`](Self::begin), for a run that stops by itself where it is kept, and whose log goes on if it `resumes`.
     pub(crate) fn kept(dir: &Path, common: &Common, resumes: bool) -> Result<Self, Failure> {
         log::begin(dir, common.log, resumes)?;
+        tracing::info!(precision = common.precision.name(), threads = common.threads, directory = %dir.display(), "run");
         Ok(Self { quiet: common.quiet, stop: None })
     }
 
