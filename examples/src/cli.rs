@@ -5,7 +5,7 @@ use mps_neighbors::Parallel;
 use std::path::PathBuf;
 use thiserror::Error;
 
-use crate::Failure;
+use crate::{Failure, LogLevel};
 
 /// Flags common to all examples; flatten them into the parser of a program.
 #[derive(Args, Clone, Debug)]
@@ -25,6 +25,9 @@ pub struct Common {
     /// No progress, no closing words
     #[arg(long)]
     pub quiet: bool,
+    /// How much goes into run.log beside the results
+    #[arg(long, value_enum, value_name = "LEVEL", default_value_t)]
+    pub log: LogLevel,
 }
 
 /// Scalar type of a simulation.

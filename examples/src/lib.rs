@@ -9,6 +9,8 @@ mod cli;
 mod conclusion;
 mod connected;
 pub mod harmonics;
+mod log;
+mod milestones;
 mod recording;
 mod released_column;
 mod rings;
@@ -16,16 +18,21 @@ pub mod scene;
 mod schedule;
 pub mod series;
 pub mod solid;
+mod stop;
 pub mod submerged;
+mod watch;
 mod words;
 
 pub use cli::{Common, Precision, Refused};
 pub use conclusion::{Cost, conclude, enter_results, exit_code};
 pub use connected::{GAP, connected};
+pub use log::LogLevel;
 pub use recording::{Recorded, record};
 pub use released_column::released_column;
 pub use rings::rings;
 pub use schedule::{Due, Moments};
+pub use stop::{Asked, Stop, Stopped};
+pub use watch::Watch;
 pub use words::{closing_words, report_failure};
 
 /// Any error of an example, already worded for the user.

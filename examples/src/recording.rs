@@ -1,7 +1,7 @@
 //! The time loop that every program has.
 
-use crate::Failure;
-use mps_io::Progress;
+use crate::milestones::Milestones;
+use crate::{Failure, Watch};
 use std::fmt;
 use std::time::Instant;
 
@@ -64,22 +64,38 @@ impl<R: Recorded> fmt::Display for Remark<'_, R> {
     }
 }
 
-/// Steps until `end` \[s\], in whole steps, and shows how far it is. `stepping` grows by the seconds that the steps
-/// alone have taken.
+/// Steps until `end` \[s\], in whole steps, shows and logs how far it is, and ends before if it is asked to. `stepping` grows by the
+/// seconds that the steps alone have taken.
 ///
 /// # Errors
 /// The first error of the run.
-pub fn record(run: &mut impl Recorded, end: f64, quiet: bool, stepping: &mut f64) -> Result<(), Failure> {
-    let mut progress = Progress::new(quiet, end);
+pub fn record(run: &mut impl Recorded, end: f64, watch: &Watch, stepping: &mut f64) -> Result<(), Failure> {
+    let mut milestones = Milestones::begin(run.time(), end);
+    let done = steps(run, end, watch, stepping, &mut milestones);
+    milestones.end(run.time(), run.steps(), *stepping, done.as_ref().err());
+    done
+}
+
+fn steps(
+    run: &mut impl Recorded,
+    end: f64,
+    watch: &Watch,
+    stepping: &mut f64,
+    milestones: &mut Milestones,
+) -> Result<(), Failure> {
+    let mut progress = watch.progress(end);
     let mut dt = run.last_step();
     loop {
         let time = run.time();
         let last = time >= end;
         run.keep(dt, *stepping, last)?;
-        run.look(dt, last)?;
-        if last {
+        let stopped = if last { None } else { watch.stopped(time) };
+        let clock = Instant::now();
+        run.look(dt, last || stopped.is_some())?;
+        milestones.looked(clock.elapsed());
+        if last || stopped.is_some() {
             progress.finish(time, run.steps());
-            return Ok(());
+            return stopped.map_or(Ok(()), Err);
         }
         let clock = Instant::now();
         let step = run.step();
@@ -93,5 +109,6 @@ pub fn record(run: &mut impl Recorded, end: f64, quiet: bool, stepping: &mut f64
         }
         // The time before the step, as the step is shown when it is known.
         progress.update(time, run.steps(), dt, Remark(run));
+        milestones.pass(time, run.steps(), dt, Remark(run));
     }
 }

@@ -189,7 +189,7 @@ fn vtk(dir: &Path) -> Result<(), OutputError> {
         .integer("kind", &kind);
     for compress in [true, false] {
         let name = if compress { "million_compressed" } else { "million_raw" };
-        let mut writer = FieldWriter::new(dir, name, FieldOptions { compress, single_precision: true })?;
+        let mut writer = FieldWriter::new(dir, name, FieldOptions { compress, ..FieldOptions::default() })?;
         for frame in 0..2 {
             let start = Instant::now();
             let path = writer.write(0.5 * f64::from(frame), &cloud)?;

@@ -42,6 +42,26 @@ pub enum OutputError {
         found: usize,
     },
 
+    /// A particle that is to be written and is not there.
+    #[error(
+        "particle {particle} is to be written, and there are {particles}. Number them from 0, as the positions are"
+    )]
+    NoParticle {
+        /// Its number.
+        particle: u32,
+        /// Number of positions.
+        particles: usize,
+    },
+
+    /// An HDF5 file that cannot be made.
+    #[error("cannot make the HDF5 file {}: {reason}. The form vtu holds the same fields", path.display())]
+    Hdf {
+        /// The file.
+        path: PathBuf,
+        /// The answer of the HDF5 library.
+        reason: String,
+    },
+
     /// A name that occurs twice in one file, or cannot be part of a file name.
     #[error("the name '{name}' cannot be used in {}: {reason}", path.display())]
     Name {

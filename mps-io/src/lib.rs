@@ -4,9 +4,10 @@
 //! tensors of `mps-kernel` and nothing of fluids, solids or time steps.
 //!
 //! - [`prepare_output`]: proves before the first step that results can be written.
-//! - [`FieldWriter`], [`PointCloud`]: one `.vtu` a frame and a `.pvd` that ParaView opens while the
+//! - [`FieldWriter`], [`PointCloud`]: one `.vtu` or `.vtkhdf` a frame and a list that ParaView opens while the
 //!   job runs.
 //! - [`CsvWriter`], [`CsvTable`]: time series, complete after every row; reference curves.
+//! - [`TableWriter`]: the same, as text or binary.
 //! - [`CurvePlot`]: results as lines, experiments as markers, their scatter as bands.
 //! - [`FieldPicture`], [`Film`]: particles coloured by pressure or strain, stills and animated PNG.
 //! - [`Progress`]: how far a run is and when it will be done.
@@ -21,12 +22,14 @@ pub mod checkpoint;
 mod csv;
 mod directory;
 mod error;
+mod npy;
 pub mod picture;
 mod plot;
 mod progress;
 mod raster;
 pub mod scene_file;
 mod summary;
+mod table;
 pub mod vtk;
 
 pub use csv::{CsvTable, CsvWriter};
@@ -36,4 +39,5 @@ pub use picture::{ColorMap, FieldPicture, Film, Image, View, value_range};
 pub use plot::CurvePlot;
 pub use progress::Progress;
 pub use summary::{Metric, Summary, Value, peak_memory_bytes};
-pub use vtk::{FieldOptions, FieldWriter, PointCloud};
+pub use table::{TableForm, TableWriter, find_table};
+pub use vtk::{FieldFormat, FieldOptions, FieldWriter, PointCloud};

@@ -100,6 +100,10 @@ fn awkward<T: Real>(k: usize) -> T {
     }
 }
 
+fn options(compress: bool, single_precision: bool) -> FieldOptions {
+    FieldOptions { compress, single_precision, ..FieldOptions::default() }
+}
+
 /// Writes a frame of `n` particles and compares every value after `expected` bit for bit.
 fn round_trip<T: Real, const D: usize>(name: &str, n: usize, options: FieldOptions) {
     let dir = directory(name);
@@ -157,31 +161,31 @@ fn round_trip<T: Real, const D: usize>(name: &str, n: usize, options: FieldOptio
 
 #[test]
 fn doubles_in_two_dimensions_compressed() {
-    round_trip::<f64, 2>("f64-2-zlib", 1000, FieldOptions { compress: true, single_precision: false });
+    round_trip::<f64, 2>("f64-2-zlib", 1000, options(true, false));
 }
 
 #[test]
 fn doubles_in_three_dimensions_raw() {
-    round_trip::<f64, 3>("f64-3-raw", 1000, FieldOptions { compress: false, single_precision: false });
+    round_trip::<f64, 3>("f64-3-raw", 1000, options(false, false));
 }
 
 #[test]
 fn doubles_rounded_to_single_precision() {
-    round_trip::<f64, 3>("f64-3-single", 1000, FieldOptions { compress: true, single_precision: true });
-    round_trip::<f64, 2>("f64-2-single-raw", 1000, FieldOptions { compress: false, single_precision: true });
+    round_trip::<f64, 3>("f64-3-single", 1000, options(true, true));
+    round_trip::<f64, 2>("f64-2-single-raw", 1000, options(false, true));
 }
 
 #[test]
 fn singles_stay_singles() {
-    round_trip::<f32, 2>("f32-2-zlib", 1000, FieldOptions { compress: true, single_precision: false });
-    round_trip::<f32, 3>("f32-3-raw", 1000, FieldOptions { compress: false, single_precision: true });
+    round_trip::<f32, 2>("f32-2-zlib", 1000, options(true, false));
+    round_trip::<f32, 3>("f32-3-raw", 1000, options(false, true));
 }
 
 /// The length of the last block is written as 0 when it is full.
 #[test]
 fn arrays_that_end_at_a_block_and_next_to_it() {
     for n in [0, 1, 32_767, 32_768, 32_769, 65_536] {
-        let options = FieldOptions { compress: true, single_precision: false };
+        let options = options(true, false);
         round_trip::<f64, 2>(&format!("blocks-{n}"), n, options);
     }
 }
@@ -190,7 +194,7 @@ fn arrays_that_end_at_a_block_and_next_to_it() {
 #[test]
 fn frames_with_growing_and_shrinking_numbers_of_particles() {
     let dir = directory("numbers");
-    let options = FieldOptions { compress: true, single_precision: false };
+    let options = options(true, false);
     let mut writer = FieldWriter::new(&dir, "fluid", options).unwrap();
     for (frame, n) in [5usize, 5, 8, 8, 3, 0, 3].into_iter().enumerate() {
         let at: Vec<Vector<f64, 2>> = (0..n).map(|k| Vector::<f64, 2>::new(k as f64, frame as f64)).collect();
@@ -207,11 +211,26 @@ fn frames_with_growing_and_shrinking_numbers_of_particles() {
 }
 
 #[test]
+fn only_chosen_particles_are_written() {
+    let at: Vec<Vector<f64, 2>> = (0..5).map(|k| Vector::<f64, 2>::new(f64::from(k), 0.5)).collect();
+    let (values, id) = ([10.0, 11.0, 12.0, 13.0, 14.0], [5, 6, 7, 8, 9]);
+    let cloud = PointCloud::new(&at).scalar("value", &values).integer("id", &id);
+    let mut writer = FieldWriter::new(directory("chosen"), "fluid", options(true, false)).unwrap();
+    let frame = Frame::read(&writer.write(0.0, &cloud.only(Some(&[4, 1]))).unwrap());
+    assert!(frame.xml.contains("NumberOfPoints=\"2\" NumberOfCells=\"2\""));
+    assert_eq!(frame.array("Points").doubles(), [4.0, 0.5, 0.0, 1.0, 0.5, 0.0]);
+    assert_eq!(frame.array("value").doubles(), [14.0, 11.0]);
+    assert_eq!(frame.array("id").bytes, [9, 0, 0, 0, 6, 0, 0, 0]);
+    let error = writer.write(0.0, &PointCloud::new(&at).only(Some(&[5]))).unwrap_err();
+    assert!(matches!(error, OutputError::NoParticle { particle: 5, particles: 5 }), "{error}");
+}
+
+#[test]
 fn the_same_particles_give_the_same_bytes() {
     let dir = directory("same");
     let at = [Vector::<f64, 3>::new(1.0, 2.0, 3.0); 10];
     for compress in [true, false] {
-        let options = FieldOptions { compress, single_precision: false };
+        let options = options(compress, false);
         let mut writer = FieldWriter::new(&dir, "fluid", options).unwrap();
         let mut write = || Frame::read(&writer.write(0.0, &PointCloud::new(&at)).unwrap()).appended;
         let first = write();
@@ -248,7 +267,7 @@ fn names_are_escaped() {
     let dir = directory("names");
     let positions = [Vector::<f64, 2>::new(0.0, 1.0)];
     let cloud = PointCloud::new(&positions).scalar("p < \"q\" & r [Pa]", &[2.5]);
-    let options = FieldOptions { compress: false, single_precision: false };
+    let options = options(false, false);
     let frame = Frame::read(&FieldWriter::new(&dir, "a&b", options).unwrap().write(0.0, &cloud).unwrap());
     assert_eq!(frame.array("p &lt; &quot;q&quot; &amp; r [Pa]").doubles(), [2.5]);
     assert!(std::fs::read_to_string(dir.join("a&b.pvd")).unwrap().contains("file=\"a&amp;b_00000.vtu\""));

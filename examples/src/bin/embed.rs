@@ -9,8 +9,8 @@
 use clap::Parser;
 use mps_coupling::{Scene, Structure, StructureEnergy};
 use mps_examples::{
-    Common, Cost, Due, Failure, Precision, Recorded, Refused, basin, conclude, enter_results, exit_code,
-    record,
+    Common, Cost, Due, Failure, Precision, Recorded, Refused, Watch, basin, conclude, enter_results,
+    exit_code, record,
 };
 use mps_fluid::{ArtificialViscosity, Fluid, FluidParticles, Slip};
 use mps_io::{CsvWriter, CurvePlot, Metric, Summary};
@@ -308,9 +308,9 @@ fn run<T: Real>(options: &Options) -> Result<(), Failure> {
     let (frame, probe) = (options.frame, Due::every(0.02_f64.max(options.frame)));
     let mut host =
         Host { scene: &mut scene, parallel: &parallel, frame, frames: 0, csv, probe, samples: Vec::new() };
-    let mut seconds = 0.0;
+    let (watch, mut seconds) = (Watch::begin(&dir, &options.common)?, 0.0);
     // Inside the pool the loops of a step need no hand-over between threads.
-    let done = parallel.install(|| record(&mut host, options.end_time, options.common.quiet, &mut seconds));
+    let done = parallel.install(|| record(&mut host, options.end_time, &watch, &mut seconds));
 
     // Whatever happened, what has been computed is kept.
     let (samples, simulated) = (core::mem::take(&mut host.samples), host.time());

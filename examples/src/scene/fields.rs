@@ -1,11 +1,10 @@
 //! Fields for ParaView, pictures and the film.
 
 use super::World;
+use super::field_files::{FieldFiles, principal_strains};
 use crate::Failure;
-use mps_fluid::surface::Surface;
 use mps_io::scene_file::{Corners, SceneFile};
-use mps_io::{ColorMap, FieldOptions, FieldPicture, FieldWriter, Film, PointCloud, View};
-use mps_kernel::tensor::{green_lagrange, largest_eigenvalue};
+use mps_io::{ColorMap, FieldPicture, Film, View};
 use mps_kernel::{Kernel, Real, Transfer, Vector};
 use mps_neighbors::Parallel;
 use std::path::{Path, PathBuf};
@@ -21,13 +20,13 @@ const RATE: u16 = 20;
 pub(super) struct Fields {
     dir: PathBuf,
     title: String,
-    water: FieldWriter,
-    solids: Vec<FieldWriter>,
+    files: FieldFiles,
+    /// Number of elastic bodies.
+    solids: usize,
     film: Option<Film>,
     view: View,
     pressure_scale: f64,
     strain_scale: f64,
-    surface: Vec<Surface>,
 }
 
 impl Fields {
@@ -36,46 +35,24 @@ impl Fields {
         scene: &SceneFile,
         world: &World<T, K>,
     ) -> Result<Self, Failure> {
-        let fields = dir.join("fields");
-        let writer = |name: &str| FieldWriter::new(&fields, name, FieldOptions::default());
-        if let Some(fluid) = world.fluid() {
-            let walls = &fluid.boundary().position[..fluid.boundary().reactive().start];
-            writer("walls")?.write(0.0, &PointCloud::new(walls))?;
-        }
-        for (body, described) in world.fixed().zip(&scene.fixed) {
-            let cloud = PointCloud::new(body.positions());
-            writer(&format!("fixed {}", described.name))?.write(0.0, &cloud)?;
-        }
         let output = &scene.output;
-        let solid_names = scene.solids.iter().map(|solid| writer(&format!("solid {}", solid.name)));
         Ok(Self {
             dir: dir.to_path_buf(),
             title: scene.title.clone(),
-            water: writer("water")?,
-            solids: solid_names.collect::<Result<_, _>>()?,
+            files: FieldFiles::new(&dir.join("fields"), scene, world)?,
+            solids: scene.solids.len(),
             film: None,
             view: view(scene, world),
             pressure_scale: output.pressure_scale.unwrap_or_else(|| pressure_scale(scene, world)),
             strain_scale: output.strain_scale.unwrap_or(0.1),
-            surface: Vec::new(),
         })
     }
 
     /// Saves how far the collections and the film are, or goes back to where they were.
     pub(super) fn transfer(&mut self, transfer: &mut Transfer<'_>) {
-        let Self {
-            dir,
-            title: _,
-            water,
-            solids,
-            film,
-            view: _,
-            pressure_scale: _,
-            strain_scale: _,
-            surface: _,
-        } = self;
-        transfer.within("water", |transfer| water.transfer(transfer));
-        solids.iter_mut().for_each(|writer| writer.transfer(transfer));
+        let Self { dir, title: _, files, solids: _, film, view: _, pressure_scale: _, strain_scale: _ } =
+            self;
+        files.transfer(transfer);
         let mut marks = film.as_ref().map(Film::marks).unwrap_or_default();
         transfer.array("film", &mut marks);
         if transfer.is_restoring() && transfer.is_good() {
@@ -93,45 +70,13 @@ impl Fields {
         Ok(self.film.as_ref().map_or(Ok(()), Film::sync)?)
     }
 
-    /// One frame of `water.pvd` and of one collection a body.
+    /// One frame for ParaView.
     pub(super) fn write<T: Real, K: Kernel<T>>(
         &mut self,
         world: &mut World<T, K>,
         parallel: &Parallel,
     ) -> Result<(), Failure> {
-        let time = world.time();
-        if let Some(scene) = world.coupled_mut() {
-            scene.update_interfaces(parallel);
-            scene.fluid_mut().classify_surface(parallel, &mut self.surface)?;
-            let surface: Vec<u32> = self.surface.iter().map(|&s| s as u32).collect();
-            let (fluid, particles) = (scene.fluid(), scene.fluid().particles());
-            self.water.write(
-                time,
-                &PointCloud::new(&particles.position)
-                    .vector("velocity", &particles.velocity)
-                    .scalar("pressure", &particles.pressure)
-                    .scalar("density ratio", &particles.density)
-                    .scalar("packing", fluid.packing())
-                    .integer("surface", &surface)
-                    .integer("id", &particles.id),
-            )?;
-        }
-        for (k, writer) in self.solids.iter_mut().enumerate() {
-            let Some(solid) = world.solid(k) else { continue };
-            let reference = solid.particles().reference_positions();
-            let displacement: Vec<_> =
-                solid.positions().iter().zip(reference).map(|(r, r0)| r - r0).collect();
-            let strain = principal_strains(world, k);
-            let mut cloud = PointCloud::new(solid.positions())
-                .vector("displacement", &displacement)
-                .vector("velocity", solid.velocities())
-                .scalar("principal strain", &strain);
-            if let Some(forces) = world.coupled().and_then(|scene| scene.forces(k)) {
-                cloud = cloud.vector("force of the fluid", forces);
-            }
-            writer.write(time, &cloud)?;
-        }
-        Ok(())
+        self.files.write(world, parallel)
     }
 
     /// One frame of `film.png` if `frame`, and a picture of its own if `picture`.
@@ -161,7 +106,7 @@ impl Fields {
                 "fluid: p [kPa]",
             );
         }
-        for k in 0..self.solids.len() {
+        for k in 0..self.solids {
             let Some(solid) = world.solid(k) else { continue };
             let radius = 0.6 * solid.spacing().max().to_double();
             let label =
@@ -193,12 +138,6 @@ impl Fields {
 
 fn film_in(dir: &Path) -> PathBuf {
     dir.join("film.png")
-}
-
-/// Largest principal value of the Green-Lagrange strain of every particle.
-fn principal_strains<T: Real, K: Kernel<T>>(world: &World<T, K>, k: usize) -> Vec<T> {
-    let Some(solid) = world.solid(k) else { return Vec::new() };
-    solid.particles().deformations().iter().map(|f| largest_eigenvalue(&green_lagrange(f))).collect()
 }
 
 /// What the scene asks for, or everything with a small margin.

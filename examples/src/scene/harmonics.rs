@@ -17,7 +17,7 @@ pub struct Window {
     pub count: usize,
 }
 
-/// The mean and the strongest harmonics of columns of the `probes.csv` of the run in `dir`, as a table in Markdown. All columns but the time for none.
+/// The mean and the strongest harmonics of columns of the table of probes of the run in `dir`, as a table in Markdown. All columns but the time for none.
 ///
 /// # Errors
 /// If there is no such table, it has no such columns, or fewer than ten rows in the window.

@@ -1,14 +1,10 @@
 //! When the state of a run is kept, and where.
 
-use crate::Failure;
+use crate::{Asked, Failure, Stop};
 use mps_io::checkpoint::{Checkpoint, Identity, Rotation};
 use mps_kernel::State;
-use signal_hook::consts::{SIGINT, SIGTERM};
-use signal_hook::flag;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use thiserror::Error;
 
@@ -23,15 +19,17 @@ pub(super) struct Keeper {
     written: Instant,
     /// Time of the last one \[s\].
     kept: Option<f64>,
-    stop: Arc<AtomicBool>,
+    stop: Stop,
+    /// Who has asked for the end.
+    asked: Option<Asked>,
 }
 
 /// A run that has not come to its end.
 #[derive(Debug, Error)]
 pub(super) enum Stopped {
-    /// By a signal.
-    #[error("stopped by a signal. Its state at t = {time:e} s is in {}: go on with `mps resume {}`", path.display(), dir.display())]
-    Interrupted { time: f64, path: PathBuf, dir: PathBuf },
+    /// On request.
+    #[error("stopped by {by}. Its state at t = {time:e} s is in {}: go on with `mps resume {}`", path.display(), dir.display())]
+    Interrupted { by: Asked, time: f64, path: PathBuf, dir: PathBuf },
     /// By a failure, with a checkpoint to go on from.
     #[error(
         "{source}\nThe last good checkpoint, of t = {time:e} s, is {}: `mps resume {}` goes on from there (what was wrong with the disk may be mended, \
@@ -42,8 +40,13 @@ pub(super) enum Stopped {
     Failed { source: Failure, time: f64, path: PathBuf, dir: PathBuf },
 }
 
+/// Whether a run ended because somebody wanted it to.
+pub(crate) fn is_stopped(failure: &Failure) -> bool {
+    failure.downcast_ref().is_some_and(|stopped| matches!(stopped, Stopped::Interrupted { .. }))
+}
+
 impl Keeper {
-    /// For a run in `dir`, every `interval` seconds of wall time, zero for never, and listens to signals from now on.
+    /// For a run in `dir`, every `interval` seconds of wall time, zero for never, and listens from now on to whoever wants it to end.
     pub(super) fn new(
         dir: &Path,
         rotation: Rotation,
@@ -51,15 +54,10 @@ impl Keeper {
         settings: BTreeMap<String, String>,
         interval: f64,
     ) -> Result<Self, Failure> {
-        let stop = Arc::new(AtomicBool::new(false));
-        for signal in [SIGINT, SIGTERM] {
-            // In this order: the first signal sets the mark, the second, which finds it set, ends the program.
-            flag::register_conditional_shutdown(signal, 1, Arc::clone(&stop))?;
-            flag::register(signal, Arc::clone(&stop))?;
-        }
+        let stop = Stop::listen(dir)?;
         let interval = (interval > 0.0).then(|| Duration::try_from_secs_f64(interval)).transpose()?;
         let (dir, written) = (dir.to_path_buf(), Instant::now());
-        Ok(Self { dir, rotation, identity, settings, interval, written, kept: None, stop })
+        Ok(Self { dir, rotation, identity, settings, interval, written, kept: None, stop, asked: None })
     }
 
     /// Goes on from a checkpoint of this time \[s\], which counts as kept.
@@ -72,22 +70,25 @@ impl Keeper {
         self.interval.is_some_and(|interval| self.written.elapsed() >= interval)
     }
 
-    /// Whether a signal has asked for the end.
-    pub(super) fn is_stopped(&self) -> bool {
-        self.stop.load(Ordering::Relaxed)
+    /// Whether somebody has asked for the end.
+    pub(super) fn is_stopped(&mut self) -> bool {
+        self.asked = self.asked.or_else(|| self.stop.asked());
+        self.asked.is_some()
     }
 
     pub(super) fn write(&mut self, state: State, time: f64) -> Result<(), Failure> {
         let (identity, settings) = (self.identity.clone(), self.settings.clone());
         self.rotation.write(&Checkpoint { identity, settings, state })?;
+        tracing::info!(time, "checkpoint");
         (self.kept, self.written) = (Some(time), Instant::now());
         Ok(())
     }
 
-    /// What a run says that was stopped by a signal and has been kept.
+    /// What a run says that was stopped and has been kept.
     pub(super) fn interrupted(&self) -> Stopped {
         let (path, dir) = (self.rotation.last(), self.dir.clone());
-        Stopped::Interrupted { time: self.kept.unwrap_or(0.0), path, dir }
+        let by = self.asked.unwrap_or(Asked::Signal);
+        Stopped::Interrupted { by, time: self.kept.unwrap_or(0.0), path, dir }
     }
 
     /// Adds to a failure from where one can go on.

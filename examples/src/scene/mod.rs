@@ -8,7 +8,7 @@
 //! | `water`, `openings`, `bodies`, `fixed`, `movers` | fluid, where it enters and leaves, elastic and rigid bodies, moved walls |
 //! | `world` | what is stepped: fluid with bodies, or bodies alone |
 //! | `clearance`, `diagnosis` | what is wrong with a scene that can be seen before it runs |
-//! | `probes`, `observer`, `fields`, `report` | what is measured, written, and said |
+//! | `probes`, `water_probes`, `interface_probes`, `observer`, `fields`, `field_files`, `report` | what is measured, written, and said |
 //! | `run`, `watched` | the run, with all that watches it |
 //! | `keeper`, `resume` | its checkpoints, and how it goes on from one |
 //! | `plan` | what a run will cost |
@@ -18,9 +18,11 @@
 mod bodies;
 mod clearance;
 mod diagnosis;
+mod field_files;
 mod fields;
 mod fixed;
 mod harmonics;
+mod interface_probes;
 mod keeper;
 mod lattice;
 mod law;
@@ -40,11 +42,13 @@ mod table;
 mod viscosity;
 mod watched;
 mod water;
+mod water_probes;
 mod world;
 
 pub use diagnosis::{Diagnosis, diagnose};
 pub use fixed::FixedPoints;
 pub use harmonics::{Window, harmonics};
+pub(crate) use keeper::is_stopped;
 pub use law::Law;
 pub use layout::Layout;
 pub use openings::Behind;

@@ -3,11 +3,11 @@
 use super::World;
 use super::probes::Probe;
 use crate::Failure;
-use mps_io::scene_file::SceneFile;
-use mps_io::{CsvTable, CsvWriter};
+use mps_io::scene_file::{ProbeForm, SceneFile};
+use mps_io::{CsvTable, TableForm, TableWriter};
 use mps_kernel::{Kernel, Real, Transfer};
 use mps_neighbors::Parallel;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Columns that every scene has, behind those of its probes.
 const COLUMNS: [&str; 10] = [
@@ -23,6 +23,9 @@ const COLUMNS: [&str; 10] = [
     "sub-steps [-]",
 ];
 
+/// Name of the table.
+pub(super) const TABLE: &str = "probes";
+
 /// Number of columns of the time and the probes, in a table with these names.
 pub(super) fn measured(names: &[String]) -> usize {
     names.len().saturating_sub(COLUMNS.len())
@@ -30,8 +33,7 @@ pub(super) fn measured(names: &[String]) -> usize {
 
 /// The record of a run.
 pub(super) struct Observer<T: Real> {
-    path: PathBuf,
-    csv: CsvWriter,
+    written: TableWriter,
     probes: Vec<Probe<T>>,
     /// Names of the columns, the time first.
     pub(super) names: Vec<String>,
@@ -55,13 +57,16 @@ impl<T: Real> Observer<T> {
         let measured = names.len();
         names.extend(COLUMNS.map(str::to_owned));
         let headings: Vec<&str> = names.iter().map(String::as_str).collect();
-        let path = dir.join("probes.csv");
-        let csv =
-            if resumes { CsvWriter::resume(&path, &headings) } else { CsvWriter::create(&path, &headings) }?;
-        Ok(Self { path, csv, probes, names, measured, rows: Vec::new() })
+        let form = match scene.output.probe_form.unwrap_or_default() {
+            ProbeForm::Csv => TableForm::Csv,
+            ProbeForm::Npy => TableForm::Npy,
+        };
+        let open = if resumes { TableWriter::resume } else { TableWriter::create };
+        let written = open(dir, TABLE, form, &headings)?;
+        Ok(Self { written, probes, names, measured, rows: Vec::new() })
     }
 
-    /// Writes a row of `probes.csv`; `dt` \[s\] is the step that led here.
+    /// Writes a row of the table; `dt` \[s\] is the step that led here.
     pub(super) fn record<K: Kernel<T>>(
         &mut self,
         world: &World<T, K>,
@@ -84,23 +89,23 @@ impl<T: Real> Observer<T> {
             dt,
             world.substeps() as f64,
         ]);
-        self.csv.row(&row)?;
+        self.written.row(&row)?;
         self.rows.push(row);
         Ok(())
     }
 
     /// Saves how many rows there are, or goes back to those there were.
     pub(super) fn transfer(&mut self, transfer: &mut Transfer<'_>) {
-        let Self { path, csv, probes, names: _, measured: _, rows } = self;
-        csv.transfer(transfer);
+        let Self { written, probes, names: _, measured: _, rows } = self;
+        written.transfer(transfer);
         probes.iter_mut().for_each(|probe| probe.transfer(transfer));
         if transfer.is_restoring() && transfer.is_good() {
-            match CsvTable::read(&*path) {
+            match written.read() {
                 // The numbers of the table have the bits of those that were written.
                 Ok(table) => {
                     let cell = |column: &Vec<f64>, k: usize| column.get(k).copied().unwrap_or(f64::NAN);
                     let row = |k: usize| table.columns.iter().map(|column| cell(column, k)).collect();
-                    *rows = (0..csv.rows() as usize).map(row).collect();
+                    *rows = (0..written.rows() as usize).map(row).collect();
                 }
                 Err(error) => transfer.refuse(error),
             }
@@ -109,7 +114,7 @@ impl<T: Real> Observer<T> {
 
     /// Forces the rows to the disk.
     pub(super) fn sync(&self) -> Result<(), Failure> {
-        Ok(self.csv.sync()?)
+        Ok(self.written.sync()?)
     }
 
     /// The record as a table.

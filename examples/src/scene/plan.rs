@@ -1,5 +1,6 @@
 //! What a run will be and cost, measured by its first steps.
 
+use super::field_files::particle_bytes;
 use super::{Diagnosis, Layout, World};
 use crate::{Common, Failure, Precision};
 use mps_io::scene_file::{Diffusion, PressureForm, SceneFile, Viscosity, Weight};
@@ -13,11 +14,6 @@ use std::time::Instant;
 const WARM: usize = 3;
 /// Steps that are measured.
 const MEASURED: u32 = 20;
-/// Bytes of a particle of the fluid in a frame: position, velocity, four scalars and two integers, uncompressed.
-const FLUID_BYTES: f64 = 8.0 * 9.0 + 2.0 * 4.0;
-/// Bytes of a particle of a body in a frame: four vectors and a scalar.
-const SOLID_BYTES: f64 = 8.0 * 13.0;
-
 /// The plan of a scene that has been found good, as text.
 ///
 /// # Errors
@@ -183,7 +179,8 @@ fn limits<T: Real, K: Kernel<T>>(
 fn cost(text: &mut String, scene: &SceneFile, layout: &Layout, measured: &Measured, threads: usize) {
     let [_, _, interval, _] = scene.output.intervals(scene.end_time);
     let fields = if interval > 0.0 { (scene.end_time / interval).floor() + 1.0 } else { 0.0 };
-    let frame = layout.fluid_len() as f64 * FLUID_BYTES + layout.solids_len() as f64 * SOLID_BYTES;
+    let [fluid, body] = particle_bytes(&scene.output).map(|bytes| bytes as f64);
+    let frame = layout.fluid_len() as f64 * fluid + layout.solids_len() as f64 * body;
     let _ = writeln!(
         text,
         "fields         {fields:.0} frames, at most {:.1} MB before compression",

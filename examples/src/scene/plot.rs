@@ -28,7 +28,7 @@ struct Units {
     other: String,
 }
 
-/// Draws the probes of the run in `dir` again, from its `probes.csv`. Returns what the plots are called.
+/// Draws the probes of the run in `dir` again, from its table of probes. Returns what the plots are called.
 ///
 /// Without columns the plots are those that the run of a scene makes at its end, for a run that goes on or was killed as well; of other
 /// programs, a plot of every column. Columns are drawn into one plot.

@@ -26,6 +26,7 @@ pub fn resume(dir: &Path, end: Option<f64>, common: &Common, interval: f64) -> R
         out: Some(dir.to_path_buf()),
         no_fields: setting("fields") == "no",
         quiet: common.quiet,
+        log: common.log,
     };
     let end = end.unwrap_or(scene.end_time);
     Refused::unless(end.is_finite() && end > 0.0, "--end-time", end, "give the simulated time in seconds")?;

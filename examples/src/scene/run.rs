@@ -6,7 +6,7 @@ use super::observer::Observer;
 use super::resume::checkpoints;
 use super::watched::Watched;
 use super::{Layout, World, report};
-use crate::{Common, Cost, Failure, Precision, conclude, record};
+use crate::{Common, Cost, Failure, Precision, Watch, conclude, record};
 use mps_io::checkpoint::{Identity, Rotation};
 use mps_io::scene_file::{SceneFile, Weight};
 use mps_kernel::weights::{Rational, WendlandC2, WendlandGradient};
@@ -85,7 +85,7 @@ fn whole<T: Real, K: Kernel<T>>(plan: Plan<'_>, weight: K, from: Origin<'_>) -> 
     let settings = [("name", name), ("fields", if common.no_fields { "no" } else { "yes" })];
     let settings = settings.map(|(key, value)| (key.to_owned(), value.to_owned())).into();
     let mut keeper = Keeper::new(&dir, rotation, identity, settings, interval)?;
-    let (quiet, mut seconds) = (common.quiet, 0.0);
+    let (watch, mut seconds) = (Watch::kept(&dir, common, from.is_some())?, 0.0);
     // Inside the pool the loops of a step need no hand-over between threads.
     let done = parallel.install(|| -> Result<Result<(), Failure>, Failure> {
         let mut watched = Watched::new(scene, &mut world, &mut observer, fields, &parallel, &mut keeper);
@@ -94,7 +94,7 @@ fn whole<T: Real, K: Kernel<T>>(plan: Plan<'_>, weight: K, from: Origin<'_>) -> 
             let unfit = |error| format!("{} cannot be gone on from: {error}", path.display());
             seconds = watched.restore(state).map_err(unfit)?;
         }
-        Ok(record(&mut watched, end, quiet, &mut seconds))
+        Ok(record(&mut watched, end, &watch, &mut seconds))
     })?;
 
     // Whatever happened, what has been computed is kept.

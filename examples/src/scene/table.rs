@@ -1,11 +1,12 @@
 //! The table of a run that was made before, and its columns by name.
 
+use super::observer::TABLE;
 use mps_io::scene_file::closest;
-use mps_io::{CsvTable, OutputError};
+use mps_io::{CsvTable, OutputError, find_table};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// The `probes.csv` of a run.
+/// The table of probes of a run.
 pub(super) struct Probes {
     path: PathBuf,
     pub(super) table: CsvTable,
@@ -25,8 +26,7 @@ pub(super) enum Unread {
 impl Probes {
     /// The table of the run in `dir`, which has rows.
     pub(super) fn of(dir: &Path) -> Result<Self, Unread> {
-        let path = dir.join("probes.csv");
-        let table = CsvTable::read(&path)?;
+        let (table, path) = find_table(dir, TABLE)?;
         if table.columns.iter().all(Vec::is_empty) {
             return Err(Unread::Empty { table: path });
         }

@@ -158,6 +158,8 @@ impl<T: Real, K: Kernel<T>> Recorded for Watched<'_, T, K> {
     }
 
     fn remark(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{} sub-steps", self.world.substeps())
+        let (fluid, bodies) = self.world.energy(self.parallel);
+        let energy = (fluid.total() + bodies.total()).to_double();
+        write!(f, "{} sub-steps, energy {energy:.4e} J/m", self.world.substeps())
     }
 }

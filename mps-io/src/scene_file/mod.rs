@@ -10,12 +10,13 @@
 //! | `scene` | the whole |
 //! | `region`, `inside` | shapes, and what is inside them |
 //! | `fluid`, `openings`, `walls`, `solids`, `fixed` | what there is |
-//! | `probes`, `output` | what is measured and written |
+//! | `probes`, `output`, `choice` | what is measured and written |
 //! | `source`, `suggest` | where a key is, and which one was meant |
 //! | `reference` | a table of all keys |
 //! | `check/*` | what is refused before anything is built |
 
 mod check;
+mod choice;
 mod fixed;
 mod fluid;
 mod inside;
@@ -30,13 +31,17 @@ mod source;
 mod suggest;
 mod walls;
 
+pub use choice::{Field, FieldForm, FieldPrecision, ProbeForm};
 pub use fixed::{Fixed, Packing};
 pub use fluid::{
     Body, Diffusion, Fluid, InitialPressure, Numerics, PressureForm, Tension, Viscosity, Weight,
 };
 pub use openings::{Inlet, Outlet, Profile};
 pub use output::Output;
-pub use probes::{DisplacementProbe, ForceProbe, FrontProbe, LevelProbe, Measure, PressureProbe, Probe, Way};
+pub use probes::{
+    BudgetProbe, DisplacementProbe, ForceProbe, FrontProbe, LevelProbe, LineProbe, LineQuantity, Measure,
+    PressureProbe, Probe, VelocityProbe, WallPressureProbe, Way,
+};
 pub use reference::reference;
 pub use region::{Corners, Disc, Point, Region};
 pub use scene::{SceneFile, parse, read, schema};

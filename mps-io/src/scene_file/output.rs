@@ -1,6 +1,7 @@
 //! What is written, where and how often.
 
-use super::region::Corners;
+use super::choice::{Field, FieldForm, FieldPrecision, ProbeForm};
+use super::region::{Corners, Region};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -11,15 +12,30 @@ pub struct Output {
     /// Directory; `out/` and the name of the scene file if left out
     #[serde(skip_serializing_if = "Option::is_none")]
     pub directory: Option<String>,
-    /// Time between two rows of probes.csv (s); an 800th of the run if left out
+    /// Time between two rows of the table of probes (s); an 800th of the run if left out
     #[serde(skip_serializing_if = "Option::is_none")]
     pub probe_interval: Option<f64>,
+    /// Form of the table of probes; `"csv"` if left out
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub probe_form: Option<ProbeForm>,
     /// Time between two frames of the film (s); a 100th of the run if left out, 0 for no film
     #[serde(skip_serializing_if = "Option::is_none")]
     pub frame_interval: Option<f64>,
     /// Time between two frames of the fields for ParaView (s); a 40th of the run if left out, 0 for none
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field_interval: Option<f64>,
+    /// Fields that are written for ParaView; all if left out, an empty list for places alone
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fields: Option<Vec<Field>>,
+    /// Only particles in this region are written for ParaView; all if left out
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub field_region: Option<Region>,
+    /// Precision of the numbers for ParaView; `"f32"` if left out
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub field_precision: Option<FieldPrecision>,
+    /// Form of the files for ParaView; `"vtu"` if left out
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub field_form: Option<FieldForm>,
     /// Time between two pictures (s); a tenth of the run if left out, 0 for none
     #[serde(skip_serializing_if = "Option::is_none")]
     pub picture_interval: Option<f64>,
@@ -36,6 +52,12 @@ pub struct Output {
 }
 
 impl Output {
+    /// Those of these fields that are written.
+    pub fn chosen(&self, fields: &[Field]) -> Vec<Field> {
+        let wanted = |field: &Field| self.fields.as_ref().is_none_or(|chosen| chosen.contains(field));
+        fields.iter().copied().filter(wanted).collect()
+    }
+
     /// The intervals \[s\] of rows, film, fields and pictures of a run of `end` seconds; 0 for never.
     pub fn intervals(&self, end: f64) -> [f64; 4] {
         [

@@ -19,16 +19,6 @@ impl<T: Real, const D: usize> Values<'_, T, D> {
             Self::Integer(values) => values.len(),
         }
     }
-
-    /// Components a particle in the file: vectors and tensors are padded to three dimensions,
-    /// because readers take a field of two components for two unrelated scalars.
-    pub(super) fn components(&self) -> usize {
-        match self {
-            Self::Scalar(_) | Self::Integer(_) => 1,
-            Self::Vector(_) => 3,
-            Self::Tensor(_) => 9,
-        }
-    }
 }
 
 /// Particles with their fields at one time, borrowed and not copied.
@@ -47,12 +37,14 @@ impl<T: Real, const D: usize> Values<'_, T, D> {
 pub struct PointCloud<'a, T: Real, const D: usize> {
     pub(super) positions: &'a [Vector<T, D>],
     pub(super) fields: Vec<(String, Values<'a, T, D>)>,
+    /// Numbers of those that are written; all if `None`.
+    pub(super) chosen: Option<&'a [u32]>,
 }
 
 impl<'a, T: Real, const D: usize> PointCloud<'a, T, D> {
     /// A cloud of particles at `positions` (m), without fields yet.
     pub fn new(positions: &'a [Vector<T, D>]) -> Self {
-        Self { positions, fields: Vec::new() }
+        Self { positions, fields: Vec::new(), chosen: None }
     }
 
     /// Adds a number for each particle, in SI units.
@@ -76,14 +68,20 @@ impl<'a, T: Real, const D: usize> PointCloud<'a, T, D> {
         self.field(name, Values::Integer(values))
     }
 
-    /// Number of particles.
-    pub fn len(&self) -> usize {
-        self.positions.len()
+    /// Writes only the particles with these numbers, in this order; all for `None`. Fields have a value for every particle all the same.
+    pub fn only(mut self, chosen: Option<&'a [u32]>) -> Self {
+        self.chosen = chosen;
+        self
     }
 
-    /// Whether there is no particle.
+    /// Number of particles that are written.
+    pub fn len(&self) -> usize {
+        self.chosen.map_or(self.positions.len(), <[u32]>::len)
+    }
+
+    /// Whether none is written.
     pub fn is_empty(&self) -> bool {
-        self.positions.is_empty()
+        self.len() == 0
     }
 
     fn field(mut self, name: &str, values: Values<'a, T, D>) -> Self {

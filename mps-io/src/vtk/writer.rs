@@ -1,18 +1,16 @@
-//! One file a frame and the collection that lists them with their times.
+//! One file a frame and a list of them with their times.
 
-use std::fmt::Write as _;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use mps_kernel::{Real, Transfer};
 
-use super::appended::Appended;
-use super::cloud::{PointCloud, Values};
+use super::cloud::PointCloud;
+use super::encode::Frame;
+use super::form::Form;
+use super::vtkhdf::VtkHdf;
+use super::vtu::Vtu;
 use crate::OutputError;
-use crate::directory::{prepare_output, write_atomically};
-
-/// VTK's number for a cell that is a single vertex.
-const VERTEX: u8 = 1;
+use crate::directory::prepare_output;
 
 /// How fields are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,15 +20,29 @@ pub struct FieldOptions {
     /// Write `f64` values as `f32`: half the size, enough for pictures. Turn it off when the files
     /// are compared with another run or continued from. Default: true.
     pub single_precision: bool,
+    /// Form of the files. Default: VTK's XML.
+    pub format: FieldFormat,
 }
 
 impl Default for FieldOptions {
     fn default() -> Self {
-        Self { compress: true, single_precision: true }
+        Self { compress: true, single_precision: true, format: FieldFormat::default() }
     }
 }
 
-/// Writes the frames `name_00000.vtu`, `name_00001.vtu`, ... and the collection `name.pvd`.
+/// A form of files that VTK and ParaView read.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FieldFormat {
+    /// VTK's XML: frames `name_00012.vtu`, listed in `name.pvd`.
+    #[default]
+    Vtu,
+    /// HDF5: frames `name_00012.vtkhdf`, listed in `name.vtkhdf.series`. For those who read fields with HDF5 libraries too; VTK 9.3 or
+    /// later.
+    VtkHdf,
+}
+
+/// Writes the frames `name_00000.vtu`, `name_00001.vtu`, ... and the collection `name.pvd`, or the same as
+/// [HDF5](FieldFormat::VtkHdf).
 ///
 /// Both appear whole or not at all and the collection is rewritten after each frame: ParaView can
 /// open a running job and reload it. Frames of an earlier run in the same directory are overwritten
@@ -39,18 +51,8 @@ pub struct FieldWriter {
     dir: PathBuf,
     name: String,
     frames: Vec<(f64, String)>,
-    appended: Appended,
-    cells: Cells,
-}
-
-/// The cells stand first in the appended section and stay there for the next frame: their number
-/// rarely changes, and compressing them again would take a third of the time.
-#[derive(Default)]
-struct Cells {
-    /// Number of cells, and bytes they take; `None` before the first frame.
-    written: Option<(usize, usize)>,
-    /// Where connectivity, offsets and types begin.
-    at: [usize; 3],
+    single_precision: bool,
+    form: Box<dyn Form + Send>,
 }
 
 impl FieldWriter {
@@ -65,8 +67,12 @@ impl FieldWriter {
             return Err(OutputError::Name { path: dir, name: name.to_owned(), reason });
         }
         prepare_output(&dir)?;
-        let appended = Appended::new(options.compress, options.single_precision);
-        Ok(Self { dir, name: name.to_owned(), frames: Vec::new(), appended, cells: Cells::default() })
+        let FieldOptions { compress, single_precision, format } = options;
+        let form: Box<dyn Form + Send> = match format {
+            FieldFormat::Vtu => Box::new(Vtu::new(compress)),
+            FieldFormat::VtkHdf => Box::new(VtkHdf::new(compress)),
+        };
+        Ok(Self { dir, name: name.to_owned(), frames: Vec::new(), single_precision, form })
     }
 
     /// Writes the cloud at `time` (s) as the next frame and returns the path of its file.
@@ -81,16 +87,9 @@ impl FieldWriter {
         let file = self.file_name(self.frames.len());
         let path = self.dir.join(&file);
         check(&path, cloud)?;
-        let xml = self.describe(time, cloud).map_err(OutputError::file("prepare", &path))?;
-        let bytes = &self.appended.bytes;
-        write_atomically(&path, |out| {
-            out.write_all(xml.as_bytes())?;
-            out.write_all(b"  <AppendedData encoding=\"raw\">\n_")?;
-            out.write_all(bytes)?;
-            out.write_all(b"\n  </AppendedData>\n</VTKFile>\n")
-        })?;
+        self.form.write(&path, time, &Frame::of(cloud, self.single_precision))?;
         self.frames.push((time, file));
-        self.write_collection()?;
+        self.form.list(&self.collection(), &self.frames)?;
         Ok(path)
     }
 
@@ -102,7 +101,7 @@ impl FieldWriter {
     }
 
     fn file_name(&self, frame: usize) -> String {
-        format!("{}_{frame:05}.vtu", self.name)
+        format!("{}_{frame:05}.{}", self.name, self.form.ending())
     }
 
     /// Number of frames written so far.
@@ -112,102 +111,24 @@ impl FieldWriter {
 
     /// The file to open in ParaView.
     pub fn collection(&self) -> PathBuf {
-        self.dir.join(format!("{}.pvd", self.name))
-    }
-
-    /// Fills the appended section and returns the XML that stands before it.
-    fn describe<T: Real, const D: usize>(
-        &mut self,
-        time: f64,
-        cloud: &PointCloud<'_, T, D>,
-    ) -> std::io::Result<String> {
-        let cells = self.cells(cloud.len())?;
-        let data = &mut self.appended;
-        let real = data.real_type::<T>();
-        let n = cloud.len();
-        let mut xml = String::from("<?xml version=\"1.0\"?>\n");
-        xml += "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"";
-        xml += if data.is_compressed() { " compressor=\"vtkZLibDataCompressor\">\n" } else { ">\n" };
-        xml += "  <UnstructuredGrid>\n    <FieldData>\n";
-        // ParaView shows this time even when a single frame is opened without its collection.
-        let _ = writeln!(
-            xml,
-            "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{time:e}</DataArray>"
-        );
-        xml += "    </FieldData>\n";
-        let _ = writeln!(xml, "    <Piece NumberOfPoints=\"{n}\" NumberOfCells=\"{n}\">\n      <Points>");
-        array(&mut xml, real, "Points", 3, data.vectors(cloud.positions)?);
-        xml += "      </Points>\n      <Cells>\n";
-        array(&mut xml, "Int64", "connectivity", 1, cells[0]);
-        array(&mut xml, "Int64", "offsets", 1, cells[1]);
-        array(&mut xml, "UInt8", "types", 1, cells[2]);
-        xml += "      </Cells>\n      <PointData>\n";
-        for (name, values) in &cloud.fields {
-            let kind = if matches!(values, Values::Integer(_)) { "UInt32" } else { real };
-            array(&mut xml, kind, name, values.components(), data.values(values)?);
-        }
-        xml += "      </PointData>\n    </Piece>\n  </UnstructuredGrid>\n";
-        Ok(xml)
-    }
-
-    /// Makes the appended section hold the cells of `n` particles and nothing else.
-    fn cells(&mut self, n: usize) -> std::io::Result<[usize; 3]> {
-        let (data, cells) = (&mut self.appended, &mut self.cells);
-        if let Some((count, length)) = cells.written
-            && count == n
-        {
-            data.truncate(length);
-        } else {
-            data.truncate(0);
-            cells.written = None;
-            cells.at = [
-                data.wide_integers(0..n as i64)?,
-                data.wide_integers(1..n as i64 + 1)?,
-                data.octets(std::iter::repeat_n(VERTEX, n))?,
-            ];
-            cells.written = Some((n, data.bytes.len()));
-        }
-        Ok(cells.at)
-    }
-
-    fn write_collection(&self) -> Result<(), OutputError> {
-        write_atomically(&self.collection(), |out| {
-            out.write_all(b"<?xml version=\"1.0\"?>\n")?;
-            out.write_all(b"<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n")?;
-            out.write_all(b"  <Collection>\n")?;
-            for (time, file) in &self.frames {
-                let file = escape(file);
-                writeln!(out, "    <DataSet timestep=\"{time:e}\" group=\"\" part=\"0\" file=\"{file}\"/>")?;
-            }
-            out.write_all(b"  </Collection>\n</VTKFile>\n")
-        })
+        self.dir.join(format!("{}.{}", self.name, self.form.list_ending()))
     }
 }
 
 fn check<T: Real, const D: usize>(path: &Path, cloud: &PointCloud<'_, T, D>) -> Result<(), OutputError> {
+    let particles = cloud.positions.len();
     for (k, (name, values)) in cloud.fields.iter().enumerate() {
-        if values.len() != cloud.len() {
-            let (field, expected, found) = (name.clone(), cloud.len(), values.len());
-            return Err(OutputError::FieldLength { field, expected, found });
+        if values.len() != particles {
+            let (field, found) = (name.clone(), values.len());
+            return Err(OutputError::FieldLength { field, expected: particles, found });
         }
         if cloud.fields[..k].iter().any(|(earlier, _)| earlier == name) {
             let reason = "another field of the same frame has it, and readers keep only one of them";
             return Err(OutputError::Name { path: path.to_path_buf(), name: name.clone(), reason });
         }
     }
-    Ok(())
-}
-
-fn array(xml: &mut String, kind: &str, name: &str, components: usize, offset: usize) {
-    let name = escape(name);
-    // Writing into a String cannot fail.
-    let _ = writeln!(
-        xml,
-        "        <DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"appended\" offset=\"{offset}\"/>"
-    );
-}
-
-/// Text as the value of an XML attribute.
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+    match cloud.chosen.and_then(|chosen| chosen.iter().find(|i| **i as usize >= particles)) {
+        Some(&particle) => Err(OutputError::NoParticle { particle, particles }),
+        None => Ok(()),
+    }
 }

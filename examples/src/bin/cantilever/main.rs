@@ -9,7 +9,7 @@ use clap::Parser;
 use mps_examples::scene::print_scene;
 use mps_examples::solid::plate::{LENGTH, PERIOD, THICKNESS, moduli, plate, unit_of_time};
 use mps_examples::solid::{Look, Motion, Pictures};
-use mps_examples::{Failure, Precision, conclude, exit_code, record};
+use mps_examples::{Failure, Precision, Watch, conclude, exit_code, record};
 use mps_io::{Summary, View};
 use mps_kernel::{Real, Vector};
 use mps_solid::ConstitutiveModel;
@@ -73,9 +73,9 @@ fn run<T: Real, M: ConstitutiveModel<T, 2>>(
     let mut motion = Motion::new(solid, tip, Vector::zeros(), interval, &parallel)?
         .with_table(dir)?
         .with_pictures(pictures);
-    let (end, quiet, mut seconds) = (options.end_time(), options.common.quiet, 0.0);
+    let (end, watch, mut seconds) = (options.end_time(), Watch::begin(dir, &options.common)?, 0.0);
     // Inside the pool the loops of a step need no hand-over between threads.
-    let done = parallel.install(|| record(&mut motion, end, quiet, &mut seconds));
+    let done = parallel.install(|| record(&mut motion, end, &watch, &mut seconds));
 
     // Whatever happened, what has been computed is kept.
     report::plot(dir, across, motion.samples())?;

@@ -17,7 +17,7 @@ mod stabilisers;
 use clap::Parser;
 use fields::Fields;
 use mps_examples::scene::print_scene;
-use mps_examples::{Cost, Failure, Precision, conclude, exit_code, record};
+use mps_examples::{Cost, Failure, Precision, Watch, conclude, exit_code, record};
 use mps_io::Summary;
 use mps_kernel::weights::{Rational, WendlandGradient};
 use mps_kernel::{Kernel, Real};
@@ -85,10 +85,10 @@ fn run<T: Real, K: Kernel<T>>(options: &Options, weight: K) -> Result<Ended, Fai
     }
     let mut observer = Observer::new(&dir, &mut dam, &parallel)?;
     let fields = if options.common.no_fields { None } else { Some(Fields::new(&dir, &dam)?) };
-    let (end, quiet, mut seconds) = (settings.end_time, options.common.quiet, 0.0);
+    let (end, watch, mut seconds) = (settings.end_time, Watch::begin(&dir, &options.common)?, 0.0);
     // Inside the pool the loops of a step need no hand-over between threads.
     let done = parallel.install(|| {
-        record(&mut Run::new(&mut dam, &mut observer, fields, &parallel), end, quiet, &mut seconds)
+        record(&mut Run::new(&mut dam, &mut observer, fields, &parallel), end, &watch, &mut seconds)
     });
 
     // Whatever happened, what has been computed is kept.

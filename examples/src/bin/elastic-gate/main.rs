@@ -15,7 +15,7 @@ use beside::Earlier;
 use clap::Parser;
 use fields::Fields;
 use mps_examples::scene::print_scene;
-use mps_examples::{Cost, Failure, Precision, conclude, exit_code, record};
+use mps_examples::{Cost, Failure, Precision, Watch, conclude, exit_code, record};
 use mps_kernel::Real;
 use observe::Observer;
 use options::Options;
@@ -61,10 +61,10 @@ fn run<T: Real>(options: &Options) -> Result<(), Failure> {
         let title = format!("Dam break through an elastic gate, {}", options.material.name());
         Some(Fields::new(&dir, title, &scene)?)
     };
-    let (end, quiet, mut seconds) = (settings.end_time, options.common.quiet, 0.0);
+    let (end, watch, mut seconds) = (settings.end_time, Watch::begin(&dir, &options.common)?, 0.0);
     // Inside the pool the loops of a step need no hand-over between threads.
     let done = parallel.install(|| {
-        record(&mut Run::new(&mut scene, &mut observer, fields, &parallel), end, quiet, &mut seconds)
+        record(&mut Run::new(&mut scene, &mut observer, fields, &parallel), end, &watch, &mut seconds)
     });
 
     // Whatever happened, what has been computed is kept.

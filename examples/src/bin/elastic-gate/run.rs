@@ -78,6 +78,8 @@ impl<T: Real> Recorded for Run<'_, T> {
     }
 
     fn remark(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{} sub-steps", self.scene.substeps())
+        let (fluid, gate) = self.scene.energy(self.parallel);
+        let energy = (fluid.total() + gate.total()).to_double();
+        write!(f, "{} sub-steps, energy {energy:.4e} J/m", self.scene.substeps())
     }
 }

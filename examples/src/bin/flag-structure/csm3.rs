@@ -5,7 +5,7 @@ use crate::{Settings, look, plots};
 use mps_examples::series::{Oscillation, oscillation};
 use mps_examples::solid::flag::{CSM3, CSM3_FIRST, CSM3_FIRST_END, RUBBER, SOURCE, end, flag, gravity};
 use mps_examples::solid::{Motion, Pictures, Sample};
-use mps_examples::{Failure, conclude, enter_results, record};
+use mps_examples::{Failure, Watch, conclude, enter_results, record};
 use mps_io::{Metric, Summary};
 use mps_kernel::Real;
 use std::path::Path;
@@ -23,9 +23,9 @@ pub(crate) fn run<T: Real>(options: &Options, settings: &Settings, dir: &Path) -
     let mut motion = Motion::new(flag, end(), gravity(), period / SAMPLES, &parallel)?
         .with_table(dir)?
         .with_pictures(pictures);
-    let (until, quiet, mut seconds) = (settings.end_time, options.common.quiet, 0.0);
+    let (until, watch, mut seconds) = (settings.end_time, Watch::begin(dir, &options.common)?, 0.0);
     // Inside the pool the loops of a step need no hand-over between threads.
-    let done = parallel.install(|| record(&mut motion, until, quiet, &mut seconds));
+    let done = parallel.install(|| record(&mut motion, until, &watch, &mut seconds));
 
     // Whatever happened, what has been computed is kept.
     plots::motion(dir, settings, motion.samples())?;

@@ -2,7 +2,7 @@
 
 use clap::{Args, Parser, Subcommand};
 use mps_examples::scene::{Diagnosis, Drawing, Layout, Window, diagnose, harmonics, plan, plot, resume, run};
-use mps_examples::{Common, Failure, Precision, Refused, exit_code};
+use mps_examples::{Common, Failure, LogLevel, Precision, Refused, exit_code};
 use mps_io::scene_file::{self, SceneError, SceneFile};
 use mps_neighbors::Parallel;
 use std::path::{Path, PathBuf};
@@ -34,7 +34,7 @@ enum Command {
     Plan(Run),
     /// Draw the plots of a run again from its probes.csv, or columns of it in one plot
     Plot(Plot),
-    /// Take columns of the probes.csv of a run apart into their strongest harmonics
+    /// Take columns of the table of a run apart into their strongest harmonics
     Harmonics(Harmonics),
     /// Print the JSON Schema of scene files, for editors that complete and check them
     Schema {
@@ -85,6 +85,9 @@ struct Resume {
     /// No progress, no closing words
     #[arg(long)]
     quiet: bool,
+    /// How much goes into run.log beside the results
+    #[arg(long, value_enum, value_name = "LEVEL", default_value_t)]
+    log: LogLevel,
     #[command(flatten)]
     keep: Keep,
 }
@@ -97,6 +100,7 @@ impl Resume {
             out: None,
             no_fields: false,
             quiet: self.quiet,
+            log: self.log,
         };
         common.check()?;
         resume(&self.directory, self.end_time, &common, self.keep.interval()?)

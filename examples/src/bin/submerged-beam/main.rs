@@ -6,7 +6,7 @@ mod report;
 mod run;
 
 use clap::Parser;
-use mps_examples::{Cost, Failure, Precision, conclude, exit_code, record, submerged};
+use mps_examples::{Cost, Failure, Precision, Watch, conclude, exit_code, record, submerged};
 use mps_kernel::Real;
 use options::Options;
 use run::Run;
@@ -26,9 +26,9 @@ fn run<T: Real>(options: &Options) -> Result<(), Failure> {
     let dir = options.common.output("submerged-beam")?;
     let mut scene = submerged::build::<T>(&settings, &parallel)?;
     let mut run = Run::new(&dir, &mut scene, &settings, &parallel, options.common.no_fields)?;
-    let (end, quiet, mut seconds) = (options.end_time, options.common.quiet, 0.0);
+    let (end, watch, mut seconds) = (options.end_time, Watch::begin(&dir, &options.common)?, 0.0);
     // Inside the pool the loops of a step need no hand-over between threads.
-    let done = parallel.install(|| record(&mut run, end, quiet, &mut seconds));
+    let done = parallel.install(|| record(&mut run, end, &watch, &mut seconds));
 
     // Whatever happened, what has been computed is kept.
     let samples = run.into_samples();

@@ -14,7 +14,7 @@ mod setup;
 use clap::Parser;
 use fields::Fields;
 use mps_examples::scene::print_scene;
-use mps_examples::{Cost, Failure, Precision, conclude, exit_code, record};
+use mps_examples::{Cost, Failure, Precision, Watch, conclude, exit_code, record};
 use mps_kernel::Real;
 use observe::Observer;
 use options::Options;
@@ -41,11 +41,11 @@ fn run<T: Real>(options: &Options) -> Result<(), Failure> {
     let mut scene = setup::build::<T>(&settings, &parallel)?;
     let mut observer = Observer::new(&dir, settings.level(), &scene)?;
     let fields = if options.common.no_fields { None } else { Some(Fields::new(&dir, &settings, &scene)?) };
-    let (end, quiet, mut seconds) = (settings.end_time, options.common.quiet, 0.0);
+    let (end, watch, mut seconds) = (settings.end_time, Watch::begin(&dir, &options.common)?, 0.0);
     // Inside the pool the loops of a step need no hand-over between threads.
     let done = parallel.install(|| {
         let mut run = Run::new(&mut scene, &mut observer, fields, &settings, &parallel);
-        record(&mut run, end, quiet, &mut seconds)
+        record(&mut run, end, &watch, &mut seconds)
     });
 
     // Whatever happened, what has been computed is kept.

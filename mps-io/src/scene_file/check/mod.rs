@@ -2,7 +2,9 @@
 
 mod fixed;
 mod openings;
+mod output;
 mod phases;
+mod probes;
 mod regions;
 mod whole;
 

@@ -26,7 +26,8 @@ impl Checker<'_> {
         );
     }
 
-    fn shape(&mut self, region: &Region, key: &str) {
+    /// Refuses shapes without inside.
+    pub(super) fn shape(&mut self, region: &Region, key: &str) {
         match region {
             Region::Box(corners) => self.corners(corners, &format!("{key}.box")),
             Region::Circle(Disc { center, radius }) => {

@@ -1,12 +1,7 @@
-//! The scene as a whole, its names, probes and output.
+//! The scene as a whole, and its names.
 
-use super::super::probes::{Measure, Probe};
 use super::super::scene::SceneFile;
-use super::super::suggest::advice;
 use super::Checker;
-
-/// Steps between two rows, frames or pictures are at least as many as this, or the disk is full of them.
-const MOST_FRAMES: f64 = 1e5;
 
 impl Checker<'_> {
     pub(super) fn whole(&mut self, scene: &SceneFile) {
@@ -75,97 +70,6 @@ impl Checker<'_> {
                 "another one has this name: change one",
             );
             known.push(name);
-        }
-    }
-
-    fn probe(&mut self, probe: &Probe, scene: &SceneFile, key: &str) {
-        let no_fluid = "give the scene a [fluid], or leave the probe out";
-        let fluid = !matches!(probe.measure, Measure::Displacement(_));
-        self.unless(!fluid || scene.fluid.is_some(), key, "has no fluid to measure", no_fluid);
-        match &probe.measure {
-            Measure::Pressure(pressure) => {
-                self.point(&pressure.at, &format!("{key}.pressure.at"));
-            }
-            Measure::Level(level) => {
-                self.point(&level.foot, &format!("{key}.level.foot"));
-            }
-            Measure::Front(front) => {
-                self.point(&front.start, &format!("{key}.front.start"));
-                let height = format!("{key}.front.height");
-                self.positive(
-                    front.height,
-                    &height,
-                    "give the height in metres, e.g. a tenth of that of the water",
-                );
-            }
-            Measure::Force(force) => {
-                let on = format!("{key}.force.on");
-                self.unless(!force.on.is_empty(), &on, "names no body", "name one at least");
-                let solids = scene.solids.iter().map(|solid| solid.name.as_str());
-                let names: Vec<&str> =
-                    solids.chain(scene.fixed.iter().map(|body| body.name.as_str())).collect();
-                for (k, name) in force.on.iter().enumerate() {
-                    let (what, advice) =
-                        (format!("is {name:?}, and no body has this name"), advice(name, &names));
-                    self.unless(names.contains(&name.as_str()), &format!("{on}[{k}]"), what, advice);
-                    let twice = force.on[..k].contains(name);
-                    self.unless(
-                        !twice,
-                        &format!("{on}[{k}]"),
-                        format!("is {name:?} again"),
-                        "name each body once",
-                    );
-                }
-            }
-            Measure::Displacement(displacement) => {
-                let (at, named) = (format!("{key}.displacement.at"), &displacement.solid);
-                let names: Vec<&str> = scene.solids.iter().map(|solid| solid.name.as_str()).collect();
-                let Some(solid) = scene.solids.iter().find(|solid| solid.name == *named) else {
-                    let what = format!("is {named:?}, and no solid has this name");
-                    return self.unless(
-                        false,
-                        &format!("{key}.displacement.solid"),
-                        what,
-                        advice(named, &names),
-                    );
-                };
-                if self.point(&displacement.at, &at) {
-                    let inside = solid.region.contains(&displacement.at, solid.spacing);
-                    let what = format!("is {:?}, outside the body {named:?}", displacement.at);
-                    self.unless(inside, &at, what, "give a point of the undeformed body");
-                }
-            }
-        }
-    }
-
-    fn output(&mut self, scene: &SceneFile) {
-        let (output, end) = (&scene.output, scene.end_time);
-        if let Some(interval) = output.probe_interval {
-            self.positive(interval, "output.probe_interval", "give the time between two rows in seconds");
-        }
-        for (name, interval) in [
-            ("probe_interval", output.probe_interval),
-            ("frame_interval", output.frame_interval),
-            ("field_interval", output.field_interval),
-            ("picture_interval", output.picture_interval),
-        ] {
-            let interval = interval.unwrap_or(0.0);
-            let key = format!("output.{name}");
-            let enough = format!("give at least {:e} s, or 0 for none", end / MOST_FRAMES);
-            let good = interval == 0.0 || interval >= end / MOST_FRAMES;
-            self.unless(good, &key, format!("is {interval}"), enough);
-        }
-        if let Some(view) = &output.view {
-            self.corners(view, "output.view");
-        }
-        for (name, scale) in
-            [("pressure_scale", output.pressure_scale), ("strain_scale", output.strain_scale)]
-        {
-            self.positive(
-                scale.unwrap_or(1.0),
-                &format!("output.{name}"),
-                "give the value at the end of the colours",
-            );
         }
     }
 }

@@ -6,7 +6,7 @@ use mps_examples::solid::Motion;
 use mps_examples::solid::plate::{
     AMPLITUDE, ELEMENTS, LENGTH, PERIOD_EXTRAPOLATED, moduli, plate, swing, unit_of_time,
 };
-use mps_examples::{Failure, record};
+use mps_examples::{Failure, Watch, record};
 use mps_io::CurvePlot;
 use mps_neighbors::Parallel;
 use mps_solid::materials::CorotationalHooke;
@@ -35,7 +35,7 @@ impl Case for Cantilever {
         let (solid, tip) = plate(n, CorotationalHooke::<f64>::from(moduli()?), parallel)?;
         let period = PERIOD_EXTRAPOLATED * unit_of_time();
         let mut motion = Motion::new(solid, tip, mps_kernel::Vector::zeros(), period / 400.0, parallel)?;
-        record(&mut motion, pace.choose(1.6, 3.2) * period, true, &mut 0.0)?;
+        record(&mut motion, pace.choose(1.6, 3.2) * period, &Watch::nobody(), &mut 0.0)?;
         let samples = motion.samples();
         let time: Vec<f64> = samples.iter().map(|s| s.time).collect();
         let tip: Vec<f64> = samples.iter().map(|s| s.tip[1]).collect();

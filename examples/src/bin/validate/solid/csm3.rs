@@ -4,7 +4,7 @@ use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
 use mps_examples::series::oscillation;
 use mps_examples::solid::Motion;
 use mps_examples::solid::flag::{CSM3, Clamp, RUBBER, SOURCE, end, flag, gravity};
-use mps_examples::{Failure, record};
+use mps_examples::{Failure, Watch, record};
 use mps_io::CurvePlot;
 use mps_neighbors::Parallel;
 
@@ -31,7 +31,7 @@ impl Case for Csm3 {
     fn run(&self, n: usize, pace: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {
         let solid = flag::<f64>(n, Clamp::Arc, &RUBBER, parallel)?;
         let mut motion = Motion::new(solid, end(), gravity(), 1.0 / CSM3[1][2] / 400.0, parallel)?;
-        record(&mut motion, pace.choose(3.0, 10.0), true, &mut 0.0)?;
+        record(&mut motion, pace.choose(3.0, 10.0), &Watch::nobody(), &mut 0.0)?;
         let samples = motion.samples();
         let time: Vec<f64> = samples.iter().map(|s| s.time).collect();
         let allowed = if n < 16 { 0.01 } else { 0.003 };

@@ -1,0 +1,162 @@
+//! Fields for ParaView: of fluid, walls and bodies, as far as the scene asks for them.
+
+use super::World;
+use crate::Failure;
+use mps_fluid::surface::Surface;
+use mps_io::scene_file::{Field, FieldForm, FieldPrecision, Output, Region, SceneFile};
+use mps_io::{FieldFormat, FieldOptions, FieldWriter, PointCloud};
+use mps_kernel::tensor::{green_lagrange, largest_eigenvalue};
+use mps_kernel::{Kernel, Real, Transfer, Vector};
+use mps_neighbors::Parallel;
+use std::path::Path;
+
+/// Writes what ParaView reads.
+pub(super) struct FieldFiles {
+    water: FieldWriter,
+    solids: Vec<FieldWriter>,
+    of_fluid: Vec<Field>,
+    of_bodies: Vec<Field>,
+    region: Option<Region>,
+    surface: Vec<Surface>,
+}
+
+/// How a scene wants its files.
+fn options(output: &Output) -> FieldOptions {
+    FieldOptions {
+        single_precision: output.field_precision.unwrap_or_default() == FieldPrecision::F32,
+        format: match output.field_form.unwrap_or_default() {
+            FieldForm::Vtu => FieldFormat::Vtu,
+            FieldForm::Vtkhdf => FieldFormat::VtkHdf,
+        },
+        ..FieldOptions::default()
+    }
+}
+
+impl FieldFiles {
+    /// In `dir`, where walls and fixed bodies, which do not change, are written at once.
+    pub(super) fn new<T: Real, K: Kernel<T>>(
+        dir: &Path,
+        scene: &SceneFile,
+        world: &World<T, K>,
+    ) -> Result<Self, Failure> {
+        let output = &scene.output;
+        let writer = |name: &str| FieldWriter::new(dir, name, options(output));
+        let still = |name: &str, points: &[Vector<T, 2>]| {
+            let inside = inside(output.field_region.as_ref(), points);
+            writer(name)?.write(0.0, &PointCloud::new(points).only(inside.as_deref()))
+        };
+        if let Some(fluid) = world.fluid() {
+            let walls = &fluid.boundary().position[..fluid.boundary().reactive().start];
+            still("walls", walls)?;
+        }
+        for (body, described) in world.fixed().zip(&scene.fixed) {
+            still(&format!("fixed {}", described.name), body.positions())?;
+        }
+        let solids = scene.solids.iter().map(|solid| writer(&format!("solid {}", solid.name)));
+        Ok(Self {
+            water: writer("water")?,
+            solids: solids.collect::<Result<_, _>>()?,
+            of_fluid: output.chosen(&Field::OF_FLUIDS),
+            of_bodies: output.chosen(&Field::OF_BODIES),
+            region: output.field_region.clone(),
+            surface: Vec::new(),
+        })
+    }
+
+    /// Saves how far the collections are, or goes back to where they were.
+    pub(super) fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        let Self { water, solids, of_fluid: _, of_bodies: _, region: _, surface: _ } = self;
+        transfer.within("water", |transfer| water.transfer(transfer));
+        solids.iter_mut().for_each(|writer| writer.transfer(transfer));
+    }
+
+    /// One frame of the water and of each body.
+    pub(super) fn write<T: Real, K: Kernel<T>>(
+        &mut self,
+        world: &mut World<T, K>,
+        parallel: &Parallel,
+    ) -> Result<(), Failure> {
+        self.measure(world, parallel)?;
+        let time = world.time();
+        if let Some(fluid) = world.fluid() {
+            let particles = fluid.particles();
+            let inside = inside(self.region.as_ref(), &particles.position);
+            let surface: Vec<u32> = self.surface.iter().map(|&s| s as u32).collect();
+            let mut cloud = PointCloud::new(&particles.position).only(inside.as_deref());
+            for field in &self.of_fluid {
+                let name = field.name();
+                cloud = match field {
+                    Field::Velocity => cloud.vector(name, &particles.velocity),
+                    Field::Pressure => cloud.scalar(name, &particles.pressure),
+                    Field::DensityRatio => cloud.scalar(name, &particles.density),
+                    Field::Packing => cloud.scalar(name, fluid.packing()),
+                    Field::Surface => cloud.integer(name, &surface),
+                    Field::Id => cloud.integer(name, &particles.id),
+                    Field::Displacement | Field::PrincipalStrain | Field::ForceOfTheFluid => cloud,
+                };
+            }
+            self.water.write(time, &cloud)?;
+        }
+        for (k, writer) in self.solids.iter_mut().enumerate() {
+            let Some(solid) = world.solid(k) else { continue };
+            let forces = world.coupled().and_then(|scene| scene.forces(k));
+            let inside = inside(self.region.as_ref(), solid.positions());
+            let has = |field: Field| self.of_bodies.contains(&field);
+            let strain = if has(Field::PrincipalStrain) { principal_strains(world, k) } else { Vec::new() };
+            let reference = solid.particles().reference_positions();
+            let moved = solid.positions().iter().zip(reference).map(|(r, r0)| r - r0);
+            let displacement: Vec<_> = if has(Field::Displacement) { moved.collect() } else { Vec::new() };
+            let mut cloud = PointCloud::new(solid.positions()).only(inside.as_deref());
+            for field in &self.of_bodies {
+                let name = field.name();
+                cloud = match (field, forces) {
+                    (Field::Displacement, _) => cloud.vector(name, &displacement),
+                    (Field::Velocity, _) => cloud.vector(name, solid.velocities()),
+                    (Field::PrincipalStrain, _) => cloud.scalar(name, &strain),
+                    (Field::ForceOfTheFluid, Some(forces)) => cloud.vector(name, forces),
+                    _ => cloud,
+                };
+            }
+            writer.write(time, &cloud)?;
+        }
+        Ok(())
+    }
+
+    /// What the fluid measures on request, if it is written.
+    fn measure<T: Real, K: Kernel<T>>(
+        &mut self,
+        world: &mut World<T, K>,
+        parallel: &Parallel,
+    ) -> Result<(), Failure> {
+        let has = |field: Field| self.of_fluid.contains(&field);
+        let Some(scene) = world.coupled_mut() else { return Ok(()) };
+        if has(Field::Surface) {
+            scene.update_interfaces(parallel);
+            scene.fluid_mut().classify_surface(parallel, &mut self.surface)?;
+        } else if has(Field::Packing) {
+            scene.fluid_mut().measure_packing(parallel)?;
+        }
+        Ok(())
+    }
+}
+
+/// Numbers of the points in the region; `None` without a region.
+fn inside<T: Real>(region: Option<&Region>, points: &[Vector<T, 2>]) -> Option<Vec<u32>> {
+    let region = region?;
+    let within = |r: &Vector<T, 2>| region.contains(&[r[0].to_double(), r[1].to_double()], 0.0);
+    Some((0_u32..).zip(points).filter(|(_, r)| within(r)).map(|(k, _)| k).collect())
+}
+
+/// Largest principal value of the Green-Lagrange strain of every particle.
+pub(super) fn principal_strains<T: Real, K: Kernel<T>>(world: &World<T, K>, k: usize) -> Vec<T> {
+    let Some(solid) = world.solid(k) else { return Vec::new() };
+    solid.particles().deformations().iter().map(|f| largest_eigenvalue(&green_lagrange(f))).collect()
+}
+
+/// Bytes of a particle of the fluid and of a body in a frame, uncompressed.
+pub(super) fn particle_bytes(output: &Output) -> [usize; 2] {
+    let real = output.field_precision.unwrap_or_default().bytes();
+    let place = 3 * real;
+    [&Field::OF_FLUIDS[..], &Field::OF_BODIES[..]]
+        .map(|fields| place + output.chosen(fields).iter().map(|field| field.bytes(real)).sum::<usize>())
+}

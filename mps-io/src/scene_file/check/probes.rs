@@ -1,0 +1,97 @@
+//! What is measured.
+
+use super::super::probes::{LineProbe, Measure, Probe};
+use super::super::scene::SceneFile;
+use super::super::suggest::advice;
+use super::Checker;
+
+impl Checker<'_> {
+    pub(super) fn probe(&mut self, probe: &Probe, scene: &SceneFile, key: &str) {
+        let no_fluid = "give the scene a [fluid], or leave the probe out";
+        let fluid = !matches!(probe.measure, Measure::Displacement(_));
+        self.unless(!fluid || scene.fluid.is_some(), key, "has no fluid to measure", no_fluid);
+        match &probe.measure {
+            Measure::Pressure(pressure) => {
+                self.point(&pressure.at, &format!("{key}.pressure.at"));
+            }
+            Measure::Level(level) => {
+                self.point(&level.foot, &format!("{key}.level.foot"));
+            }
+            Measure::Front(front) => {
+                self.point(&front.start, &format!("{key}.front.start"));
+                let height = format!("{key}.front.height");
+                self.positive(
+                    front.height,
+                    &height,
+                    "give the height in metres, e.g. a tenth of that of the water",
+                );
+            }
+            Measure::Velocity(velocity) => {
+                self.point(&velocity.at, &format!("{key}.velocity.at"));
+            }
+            Measure::Line(line) => self.line_of_places(line, &format!("{key}.line")),
+            Measure::WallPressure(wall) => {
+                let key = format!("{key}.wall_pressure");
+                let names: Vec<&str> = scene.fixed.iter().map(|body| body.name.as_str()).collect();
+                let what = format!("is {:?}, and no fixed body has this name", wall.on);
+                let known = names.contains(&wall.on.as_str());
+                self.unless(known, &format!("{key}.on"), what, advice(&wall.on, &names));
+                self.ends(&wall.from, &wall.to, &key);
+            }
+            Measure::Force(force) => self.bodies(&force.on, scene, &format!("{key}.force.on")),
+            Measure::Budget(budget) => self.bodies(&budget.on, scene, &format!("{key}.budget.on")),
+            Measure::Displacement(displacement) => {
+                let (at, named) = (format!("{key}.displacement.at"), &displacement.solid);
+                let names: Vec<&str> = scene.solids.iter().map(|solid| solid.name.as_str()).collect();
+                let Some(solid) = scene.solids.iter().find(|solid| solid.name == *named) else {
+                    let what = format!("is {named:?}, and no solid has this name");
+                    return self.unless(
+                        false,
+                        &format!("{key}.displacement.solid"),
+                        what,
+                        advice(named, &names),
+                    );
+                };
+                if self.point(&displacement.at, &at) {
+                    let inside = solid.region.contains(&displacement.at, solid.spacing);
+                    let what = format!("is {:?}, outside the body {named:?}", displacement.at);
+                    self.unless(inside, &at, what, "give a point of the undeformed body");
+                }
+            }
+        }
+    }
+
+    fn line_of_places(&mut self, line: &LineProbe, key: &str) {
+        let points = format!("is {}", line.points);
+        let few = "give 2 to 100: each is a column, or one per dimension";
+        self.unless((2..=100).contains(&line.points), &format!("{key}.points"), points, few);
+        self.ends(&line.from, &line.to, key);
+    }
+
+    /// The ends of a line.
+    fn ends(&mut self, from: &[f64], to: &[f64], key: &str) {
+        let [first, last] =
+            [("from", from), ("to", to)].map(|(end, at)| self.point(at, &format!("{key}.{end}")));
+        if first && last {
+            self.unless(
+                from != to,
+                &format!("{key}.to"),
+                format!("is {to:?}, as `from`"),
+                "give another point",
+            );
+        }
+    }
+
+    /// Names of bodies, elastic or fixed.
+    fn bodies(&mut self, on: &[String], scene: &SceneFile, key: &str) {
+        self.unless(!on.is_empty(), key, "names no body", "name one at least");
+        let solids = scene.solids.iter().map(|solid| solid.name.as_str());
+        let names: Vec<&str> = solids.chain(scene.fixed.iter().map(|body| body.name.as_str())).collect();
+        for (k, name) in on.iter().enumerate() {
+            let key = format!("{key}[{k}]");
+            let what = format!("is {name:?}, and no body has this name");
+            self.unless(names.contains(&name.as_str()), &key, what, advice(name, &names));
+            self.unless(!on[..k].contains(name), &key, format!("is {name:?} again"), "name each body once");
+        }
+    }
+}
