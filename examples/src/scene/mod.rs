@@ -10,6 +10,7 @@
 //! | `clearance`, `diagnosis` | what is wrong with a scene that can be seen before it runs |
 //! | `probes`, `observer`, `fields`, `report` | what is measured, written, and said |
 //! | `run`, `watched` | the run, with all that watches it |
+//! | `watch/*` | what a run is watched for, its post-mortem, and how it is tried again |
 //! | `keeper`, `resume` | its checkpoints, and how it goes on from one |
 //! | `plan`, `plot` | what a run will cost, and the plots of one made before |
 //! | `print` | the scene that a program describes instead of running it |
@@ -35,6 +36,7 @@ mod report;
 mod resume;
 mod run;
 mod viscosity;
+mod watch;
 mod watched;
 mod water;
 mod world;

@@ -4,6 +4,7 @@ mod fixed;
 mod openings;
 mod phases;
 mod regions;
+mod watch;
 mod whole;
 
 use super::scene::SceneFile;
