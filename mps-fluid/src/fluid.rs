@@ -3,10 +3,11 @@
 use crate::budget::Books;
 use crate::eos::{EquationOfState, Tait};
 use crate::exchange::Exchange;
+use crate::explain::Starts;
 use crate::open::OpenBoundaries;
 use crate::search::Search;
 use crate::terms::{Guard, Viscosity, WallPair};
-use crate::{Boundary, FluidConfig, FluidError, FluidParticles, Tension};
+use crate::{Boundary, FluidConfig, FluidError, FluidParticles, Limit, Tension};
 use mps_kernel::weights::Rational;
 use mps_kernel::{Kernel, ParticleStore, Real, ReferenceDensity, Tensor, Vector};
 use mps_neighbors::{Domain, Open, Parallel, RowView, Rows};
@@ -42,8 +43,23 @@ pub struct Fluid<
     pub(crate) steps: u64,
     /// Length of the previous step \[s\], 0 before the first.
     pub(crate) last_dt: T,
-    /// A step has begun and is not finished.
-    pub(crate) halfway: bool,
+    /// What the length of the last step followed from.
+    pub(crate) limit: Limit,
+    /// How far the present step is.
+    pub(crate) stage: Stage,
+    /// What particles were like when the step began, if somebody wants to know.
+    pub(crate) starts: Option<Box<Starts<T, D>>>,
+}
+
+/// How far a step is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Stage {
+    /// The last one is finished.
+    Between,
+    /// It has begun; what the sweeps left behind is not of it yet.
+    Begun,
+    /// Accelerations are known.
+    Swept,
 }
 
 /// What the sweeps of a step leave behind, one entry a particle. Rebuilt in every step, hence
@@ -151,7 +167,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             time: T::zero(),
             steps: 0,
             last_dt: T::zero(),
-            halfway: false,
+            limit: Limit::default(),
+            stage: Stage::Between,
+            starts: None,
         };
         // So that the pressure belongs to the density from the start.
         fluid.evaluate_pressure(&Parallel::serial());
@@ -176,9 +194,10 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// # Errors
     /// If a particle's state is not finite or its speed makes the time step collapse.
     pub fn begin_step(&mut self, parallel: &Parallel) -> Result<T, FluidError> {
-        self.halfway = true;
+        self.stage = Stage::Begun;
         self.meet_neighbours(parallel)?;
         self.drive_inlets()?;
+        self.remember_starts();
         self.shift(parallel)?;
         self.relax_densities(parallel)?;
         self.collide(parallel);
@@ -189,6 +208,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         self.hold_outlets(parallel);
         self.react(parallel);
         self.prepare_exchange();
+        self.stage = Stage::Swept;
         self.stable_step(parallel)
     }
 
@@ -238,7 +258,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         self.time += dt;
         self.last_dt = dt;
         self.steps += 1;
-        self.halfway = false;
+        self.stage = Stage::Between;
     }
 
     /// Rebuilds the neighbour rows if they have expired. Particles enter and leave on that occasion.

@@ -2,7 +2,7 @@
 
 use crate::budget::Books;
 use crate::exchange::Exchange;
-use crate::fluid::Rates;
+use crate::fluid::{Rates, Stage};
 use crate::open::OpenBoundaries;
 use crate::terms::Viscosity;
 use crate::{Boundary, EnergyBudget, Fluid};
@@ -33,9 +33,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             time,
             steps,
             last_dt,
-            halfway,
+            limit: _,
+            stage,
+            starts: _,
         } = self;
-        if *halfway && !transfer.is_restoring() {
+        if *stage != Stage::Between && !transfer.is_restoring() {
             transfer.refuse("a step has begun and is not finished: save the state between two steps");
         }
         transfer.within("particles", |transfer| transfer.particles(particles));
@@ -57,7 +59,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             *rates = Rates::default();
             rates.resize(particles.position.len());
             *exchange = Exchange::default();
-            *halfway = false;
+            *stage = Stage::Between;
         }
     }
 }

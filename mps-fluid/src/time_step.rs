@@ -1,16 +1,72 @@
 //! The longest stable time step.
 
 use crate::terms::Viscosity;
-use crate::{Fluid, FluidError};
+use crate::{Fluid, FluidConfig, FluidError};
 use mps_kernel::{Kernel, Real};
 use mps_neighbors::{Domain, Parallel};
+
+/// What the length of a step follows from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Limit {
+    /// The way of sound and of the fastest particle, `l0/(v_max + c)`.
+    #[default]
+    Sound,
+    /// Viscosity, `l0^2/(8 nu)`.
+    Viscosity,
+    /// Bulk viscosity, `l0/(2 alpha c)`.
+    Damping,
+    /// The largest acceleration, `sqrt(l0/a_max)`.
+    Acceleration,
+}
+
+impl Limit {
+    /// Name for reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sound => "sound",
+            Self::Viscosity => "viscosity",
+            Self::Damping => "damping of sound",
+            Self::Acceleration => "acceleration",
+        }
+    }
+}
+
+/// The limits of a step \[s\], each with the Courant number in it; infinite where there is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepLimits<T> {
+    /// By sound and the fastest particle.
+    pub sound: T,
+    /// By viscosity.
+    pub viscosity: T,
+    /// By the damping of sound.
+    pub damping: T,
+    /// By the largest acceleration.
+    pub acceleration: T,
+}
+
+impl<T: Real> StepLimits<T> {
+    /// The limit that acts, and the length of the step \[s\].
+    pub fn shortest(&self) -> (Limit, T) {
+        let mut shortest = (Limit::Sound, self.sound);
+        for (limit, dt) in [
+            (Limit::Viscosity, self.viscosity),
+            (Limit::Damping, self.damping),
+            (Limit::Acceleration, self.acceleration),
+        ] {
+            if dt < shortest.1 {
+                shortest = (limit, dt);
+            }
+        }
+        shortest
+    }
+}
 
 /// Speed over sound speed beyond which the run is given up: nothing physical gets there.
 const ESCAPED: f64 = 20.0;
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
     /// `dt = C min(l0/(v_max + c), l0^2/nu)` (eq. 46), `rho0 l0^2/(2 zeta)` for the bulk viscosity, and `sqrt(l0/a_max)` for sudden forces.
-    pub(crate) fn stable_step(&self, parallel: &Parallel) -> Result<T, FluidError> {
+    pub(crate) fn stable_step(&mut self, parallel: &Parallel) -> Result<T, FluidError> {
         let (u, a) = (&self.particles.velocity, &self.rates.acceleration);
         // Keeps a NaN once it has met one, so that it cannot hide behind a comparison.
         let largest = |x: T, y: T| if x > y || x.partial_cmp(&x).is_none() { x } else { y };
@@ -23,25 +79,47 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if !(v2.is_finite() && a2.is_finite()) {
             return Err(self.find_not_finite());
         }
-        let (l0, c) = (self.config.spacing, self.config.sound_speed);
         let v = v2.sqrt();
-        let mut limit = l0 / (v + c);
-        let nu = self.viscosity.kinematic();
-        if nu > T::zero() {
-            // 1/8 keeps explicit diffusion on this stencil inside its stability limit.
-            limit = limit.min(l0 * l0 * T::of(0.125) / nu);
-        }
-        if self.config.sound_damping > T::zero() {
-            limit = limit.min(l0 / (T::of(2.0) * self.config.sound_damping * c));
-        }
-        if a2 > T::zero() {
-            limit = limit.min((l0 / a2.sqrt()).sqrt());
-        }
-        let dt = limit * self.config.cfl;
-        if v > c * T::of(ESCAPED) {
+        let (limit, dt) = self.step_limits(v, a2.sqrt()).shortest();
+        self.limit = limit;
+        if v > self.config.sound_speed * T::of(ESCAPED) {
             return Err(self.find_fastest(dt));
         }
         Ok(dt)
+    }
+
+    /// The limits at the largest speed \[m/s\] and the largest acceleration \[m/s^2\].
+    pub(crate) fn step_limits(&self, v: T, a: T) -> StepLimits<T> {
+        let (l0, c, none) = (self.config.spacing, self.config.sound_speed, T::of(f64::INFINITY));
+        let nu = self.viscosity.kinematic();
+        // 1/8 keeps explicit diffusion on this stencil inside its stability limit.
+        let viscosity = if nu > T::zero() { l0 * l0 * T::of(0.125) / nu } else { none };
+        let alpha = self.config.sound_damping;
+        let damping = if alpha > T::zero() { l0 / (T::of(2.0) * alpha * c) } else { none };
+        let acceleration = if a > T::zero() { (l0 / a).sqrt() } else { none };
+        let cfl = self.config.cfl;
+        StepLimits {
+            sound: l0 / (v + c) * cfl,
+            viscosity: viscosity * cfl,
+            damping: damping * cfl,
+            acceleration: acceleration * cfl,
+        }
+    }
+
+    /// What the length of the last step that has begun followed from.
+    pub fn limit(&self) -> Limit {
+        self.limit
+    }
+
+    /// Sets the Courant number, from the next step on: to pass a difficult moment with shorter steps.
+    ///
+    /// # Errors
+    /// If it is out of range.
+    pub fn set_courant_number(&mut self, cfl: T) -> Result<(), FluidError> {
+        let config = FluidConfig { cfl, ..self.config.clone() };
+        config.validate()?;
+        self.config = config;
+        Ok(())
     }
 
     fn find_not_finite(&self) -> FluidError {

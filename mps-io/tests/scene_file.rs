@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
 use mps_io::scene_file::{
-    Clamp, InitialPressure, Material, Measure, Packing, Profile, Region, SceneError, SceneFile, Side, Slip,
-    Source, Viscosity, parse, reference, schema,
+    Clamp, Corners, InitialPressure, Material, Measure, OnFailure, Packing, Profile, Region, Retry,
+    SceneError, SceneFile, Side, Slip, Source, Viscosity, Watch, parse, reference, schema,
 };
 use proptest::prelude::*;
 
@@ -99,6 +99,34 @@ measure = { force = { on = ["post"] } }
     assert_eq!(read(&scene.to_toml().unwrap()).unwrap(), scene);
     let mean: f64 = (0..1000).map(|k| Profile::Parabola.at((f64::from(k) + 0.5) * 1e-3)).sum::<f64>() * 1e-3;
     assert!((mean - 1.0).abs() < 1e-6 && Profile::Parabola.at(0.5) == Profile::Parabola.largest());
+}
+
+#[test]
+fn what_a_run_is_watched_for_is_read_and_written_and_refused_where_it_makes_no_sense() {
+    assert_eq!(read(SCENE).unwrap().watch, Watch::default());
+    let watch = "[watch]\ncollapse = 0.0\nenergy_rise = 0.5\non_failure = { retry = { times = 2 } }\n\
+                 region = { lower = [0.0, 0.0], upper = [1.0, 1.0] }\n";
+    let scene = read(&[SCENE, watch].concat()).unwrap();
+    let wanted = Watch {
+        collapse: 0.0,
+        energy_rise: Some(0.5),
+        on_failure: OnFailure::Retry(Retry { steps: 200, times: 2 }),
+        region: Some(Corners::between([0.0, 0.0], [1.0, 1.0])),
+        ..Watch::default()
+    };
+    assert_eq!(scene.watch, wanted);
+    assert_eq!(read(&scene.to_toml().unwrap()).unwrap(), scene);
+    for (from, to, key) in [
+        ("collapse = 0.0", "collapse = 0.9", "watch.collapse"),
+        ("collapse = 0.0", "steps = 0", "watch.steps"),
+        ("energy_rise = 0.5", "energy_rise = -0.5", "watch.energy_rise"),
+        ("times = 2", "times = 0", "watch.on_failure.retry.times"),
+        ("upper = [1.0, 1.0]", "upper = [1.0, -1.0]", "watch.region"),
+    ] {
+        let text = [SCENE, &watch.replace(from, to)].concat();
+        let Err(SceneError::Refused(problems)) = read(&text) else { panic!("{key} is not refused") };
+        assert!(problems[0].key.starts_with(key), "{key}: {problems:?}");
+    }
 }
 
 #[test]

@@ -43,6 +43,7 @@ pub mod conformance;
 pub mod contact;
 mod energy;
 mod error;
+pub mod explain;
 pub mod kinematics;
 pub mod loads;
 pub mod materials;

@@ -1,5 +1,6 @@
 //! When the state of a run is kept, and where.
 
+use super::resume::checkpoints;
 use crate::{Asked, Failure, Stop};
 use mps_io::checkpoint::{Checkpoint, Identity, Rotation};
 use mps_kernel::State;
@@ -82,6 +83,19 @@ impl Keeper {
         tracing::info!(time, "checkpoint");
         (self.kept, self.written) = (Some(time), Instant::now());
         Ok(())
+    }
+
+    /// The directory of the run.
+    pub(super) fn directory(&self) -> &Path {
+        &self.dir
+    }
+
+    /// Writes a checkpoint to another directory, from which a run without fields goes on.
+    pub(super) fn write_apart(&self, dir: &Path, state: State) -> Result<(), Failure> {
+        let mut settings = self.settings.clone();
+        settings.insert("fields".to_owned(), "no".to_owned());
+        let checkpoint = Checkpoint { identity: self.identity.clone(), settings, state };
+        Ok(Rotation::new(checkpoints(dir)).write(&checkpoint)?)
     }
 
     /// What a run says that was stopped and has been kept.

@@ -10,6 +10,7 @@
 //! | `clearance`, `diagnosis` | what is wrong with a scene that can be seen before it runs |
 //! | `probes`, `water_probes`, `interface_probes`, `observer`, `fields`, `field_files`, `report` | what is measured, written, and said |
 //! | `run`, `watched` | the run, with all that watches it |
+//! | `watch/*` | what a run is watched for, its post-mortem, and how it is tried again |
 //! | `keeper`, `resume` | its checkpoints, and how it goes on from one |
 //! | `plan` | what a run will cost |
 //! | `table`, `plot`, `harmonics` | the probes of a run made before: its plots, and what oscillates in it |
@@ -40,6 +41,7 @@ mod resume;
 mod run;
 mod table;
 mod viscosity;
+mod watch;
 mod watched;
 mod water;
 mod water_probes;

@@ -4,6 +4,7 @@ use super::fields::Fields;
 use super::keeper::Keeper;
 use super::observer::Observer;
 use super::resume::checkpoints;
+use super::watch::{Guard, PostMortem};
 use super::watched::Watched;
 use super::{Layout, World, report};
 use crate::{Common, Cost, Failure, Precision, Watch, conclude, record};
@@ -52,6 +53,7 @@ pub fn run(
     // A run that begins has nothing to do with what an earlier one has left here.
     let rotation = Rotation::new(checkpoints(&dir));
     rotation.clear()?;
+    PostMortem::clear(&dir)?;
     // The scene as it is run, beside its results.
     std::fs::write(dir.join("scene.toml"), scene.to_toml()?)?;
     run_plan(Plan { scene, layout, name, common: &common, end: scene.end_time, interval, rotation }, None)
@@ -86,9 +88,11 @@ fn whole<T: Real, K: Kernel<T>>(plan: Plan<'_>, weight: K, from: Origin<'_>) -> 
     let settings = settings.map(|(key, value)| (key.to_owned(), value.to_owned())).into();
     let mut keeper = Keeper::new(&dir, rotation, identity, settings, interval)?;
     let (watch, mut seconds) = (Watch::kept(&dir, common, from.is_some())?, 0.0);
+    let mut guard = Guard::new(&scene.watch);
     // Inside the pool the loops of a step need no hand-over between threads.
     let done = parallel.install(|| -> Result<Result<(), Failure>, Failure> {
-        let mut watched = Watched::new(scene, &mut world, &mut observer, fields, &parallel, &mut keeper);
+        let (stepped, written) = ((&mut world, &parallel), (&mut observer, fields));
+        let mut watched = Watched::new(scene, end, stepped, written, &mut keeper, &mut guard);
         // What does not fit leaves the results there are alone.
         if let Some((state, path)) = from {
             let unfit = |error| format!("{} cannot be gone on from: {error}", path.display());
@@ -107,6 +111,7 @@ fn whole<T: Real, K: Kernel<T>>(plan: Plan<'_>, weight: K, from: Origin<'_>) -> 
         particles: world.fluid().map_or(0, |fluid| fluid.particles().position.len()) + layout.solids_len(),
     };
     let mut summary = report::summary(name, scene, layout, &observer);
+    summary.notes.extend(guard.notes());
     cost.enter(&mut summary, common, done.as_ref().err());
     conclude(&dir, &summary, common, done.is_ok())?;
     done

@@ -6,8 +6,8 @@ use super::movers::Mover;
 use super::water::{Water, slip, water};
 use super::{Law, Viscous, vector};
 use crate::Failure;
-use mps_coupling::{ElasticBody, Scene, Structure, StructureEnergy};
-use mps_fluid::FluidEnergy;
+use mps_coupling::{CouplingError, ElasticBody, Scene, Structure, StructureEnergy};
+use mps_fluid::{FluidEnergy, Limit};
 use mps_io::scene_file::SceneFile;
 use mps_kernel::{Kernel, Real, Transfer, Vector};
 use mps_neighbors::Parallel;
@@ -35,6 +35,8 @@ pub struct Wet<T: Real, K: Kernel<T>> {
     /// Number of elastic bodies, which come before the fixed ones.
     elastic: usize,
     last_dt: f64,
+    /// Courant number of the scene \[-\].
+    cfl: T,
 }
 
 /// Bodies that do not know of each other.
@@ -47,6 +49,8 @@ pub struct Dry<T: Real> {
     substeps: Vec<usize>,
     interval: f64,
     intervals: u64,
+    /// How often the sub-steps are halved at present.
+    halvings: u32,
 }
 
 impl<T: Real, K: Kernel<T>> World<T, K> {
@@ -72,7 +76,8 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
         for (points, fixed) in layout.fixed.iter().zip(&scene.fixed) {
             wet.add_structure(parallel, Box::new(points.body()), slip(fixed.slip))?;
         }
-        Ok(Self::Wet(Box::new(Wet { scene: wet, movers, elastic: scene.solids.len(), last_dt: 0.0 })))
+        let (elastic, cfl) = (scene.solids.len(), wet.fluid().config().cfl);
+        Ok(Self::Wet(Box::new(Wet { scene: wet, movers, elastic, last_dt: 0.0, cfl })))
     }
 
     /// One step of the fluid, or of bodies alone one interval of the table of probes; returns the length of a step
@@ -85,6 +90,41 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
             Self::Wet(wet) => wet.step(parallel),
             Self::Dry(dry) => dry.step(parallel),
         }
+    }
+
+    /// Begins a step of the fluid and leaves it there, to be looked at; nothing for bodies alone.
+    ///
+    /// # Errors
+    /// If the fluid cannot go on.
+    pub fn begin(&mut self, parallel: &Parallel) -> Result<(), Failure> {
+        if let Self::Wet(wet) = self {
+            wet.show_motions();
+            wet.scene.fluid_mut().begin_step(parallel)?;
+        }
+        Ok(())
+    }
+
+    /// From the next step on, what regularisation changes is remembered.
+    pub fn remember_changes(&mut self) {
+        if let Self::Wet(wet) = self {
+            wet.scene.fluid_mut().remember_changes();
+        }
+    }
+
+    /// Halves the length of steps this often, with so many sub-steps of the bodies at least; 0 and 1 for the usual pace.
+    ///
+    /// # Errors
+    /// If the Courant number becomes too small.
+    pub fn slow_down(&mut self, halvings: u32, substeps: usize) -> Result<(), Failure> {
+        match self {
+            Self::Wet(wet) => {
+                let share = T::of(0.5_f64.powi(halvings as i32));
+                wet.scene.fluid_mut().set_courant_number(wet.cfl * share)?;
+                wet.scene.min_substeps = substeps.max(1);
+            }
+            Self::Dry(dry) => dry.halvings = halvings,
+        }
+        Ok(())
     }
 
     /// Saves the state between two steps, or restores it into a world of the same scene.
@@ -109,6 +149,19 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
             Self::Wet(wet) => wet.scene.fluid().steps(),
             Self::Dry(dry) => dry.intervals * dry.most_substeps() as u64,
         }
+    }
+
+    /// Calls of [`step`](Self::step) that have led to the present state.
+    pub fn count(&self) -> u64 {
+        match self {
+            Self::Wet(wet) => wet.scene.fluid().steps(),
+            Self::Dry(dry) => dry.intervals,
+        }
+    }
+
+    /// What the length of the last step of the fluid followed from.
+    pub fn limit(&self) -> Option<Limit> {
+        self.fluid().map(|fluid| fluid.limit())
     }
 
     /// Sub-steps of the bodies in the last step.
@@ -174,16 +227,21 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
 impl<T: Real, K: Kernel<T>> Wet<T, K> {
     fn transfer(&mut self, parallel: &Parallel, transfer: &mut Transfer<'_>) {
         // Movers take their velocities from the time, and their places are those of the boundary.
-        let Self { scene, movers: _, elastic: _, last_dt } = self;
+        let Self { scene, movers: _, elastic: _, last_dt, cfl: _ } = self;
         transfer.within("scene", |transfer| scene.transfer(parallel, transfer));
         transfer.value("last step", last_dt);
     }
 
-    fn step(&mut self, parallel: &Parallel) -> Result<f64, Failure> {
+    /// Shows the fluid the velocities of moved walls.
+    fn show_motions(&mut self) {
         let time = self.scene.fluid().time().to_double();
         for mover in &mut self.movers {
             mover.show(self.scene.fluid_mut().boundary_mut(), time, self.last_dt);
         }
+    }
+
+    fn step(&mut self, parallel: &Parallel) -> Result<f64, Failure> {
+        self.show_motions();
         // Whole steps to the end: a shortened one would show as a jump of the energy.
         let dt = self.scene.step(parallel, T::of(f64::INFINITY))?;
         for mover in &self.movers {
@@ -197,7 +255,7 @@ impl<T: Real, K: Kernel<T>> Wet<T, K> {
 impl<T: Real> Dry<T> {
     fn transfer(&mut self, transfer: &mut Transfer<'_>) {
         // Sub-steps are found from the bodies at the start, as in the run that was saved.
-        let Self { bodies, no_force: _, gravity: _, substeps: _, interval: _, intervals } = self;
+        let Self { bodies, no_force: _, gravity: _, substeps: _, interval: _, intervals, halvings: _ } = self;
         transfer.same("bodies", bodies.len());
         bodies.iter_mut().for_each(|body| body.transfer(transfer));
         transfer.value("intervals", intervals);
@@ -214,16 +272,19 @@ impl<T: Real> Dry<T> {
             gravity,
             interval,
             intervals: 0,
+            halvings: 0,
         }
     }
 
     fn step(&mut self, parallel: &Parallel) -> Result<f64, Failure> {
-        let dt = T::of(self.interval);
-        for ((body, no_force), substeps) in self.bodies.iter_mut().zip(&self.no_force).zip(&self.substeps) {
-            body.advance(parallel, no_force, &self.gravity, dt, *substeps)?;
+        let (dt, time) = (T::of(self.interval), self.intervals as f64 * self.interval);
+        let bodies = self.bodies.iter_mut().zip(&self.no_force).zip(&self.substeps);
+        for (index, ((body, no_force), substeps)) in bodies.enumerate() {
+            body.advance(parallel, no_force, &self.gravity, dt, substeps << self.halvings)
+                .map_err(|source| CouplingError::Structure { index, time, source })?;
         }
         self.intervals += 1;
-        Ok(self.interval / self.most_substeps() as f64)
+        Ok(self.interval / (self.most_substeps() << self.halvings) as f64)
     }
 
     fn most_substeps(&self) -> usize {

@@ -243,6 +243,22 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         [pressure, shear / substeps]
     }
 
+    /// The velocity of boundary point `a` with which the shear of the step was found \[m/s\].
+    pub(crate) fn shown_velocity(&self, a: usize) -> Vector<T, D> {
+        let shown = a.checked_sub(self.boundary.reactive.start).and_then(|k| self.exchange.shown.get(k));
+        shown.copied().unwrap_or(self.boundary.velocity[a])
+    }
+
+    /// Acceleration of particle `i` by what the structures have changed since the start of the step \[m/s^2\]: zero before the first sub-step.
+    pub(crate) fn answer_to(&self, i: usize) -> Vector<T, D> {
+        let wetted = &self.exchange.wetted[..self.exchange.answered()];
+        // They were collected in ascending order.
+        wetted.binary_search(&(i as u32)).map_or(Vector::zeros(), |k| {
+            let [pressure, shear] = self.reaction_since(k);
+            pressure + shear
+        })
+    }
+
     /// What the structures have done to the fluid in the sub-steps so far beyond [`push_by_structures`](Fluid::push_by_structures), mean
     /// over the sub-steps, about `center` \[m\].
     pub fn push_since(&self, center: &Vector<T, D>) -> Push<T, D> {

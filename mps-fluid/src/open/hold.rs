@@ -1,6 +1,6 @@
 //! What outlets do in a step: they prescribe the pressure, and take the forces off what is leaving.
 
-use super::Opening;
+use super::{OpenBoundaries, Opening};
 use crate::Fluid;
 use crate::eos::EquationOfState;
 use crate::terms::Viscosity;
@@ -42,16 +42,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     pub(crate) fn hold_densities(&mut self, parallel: &Parallel, dt: T) {
         let Some(open) = &self.open else { return };
         let (position, density) = (&self.particles.position, &self.particles.density);
-        let held = |i: usize| {
-            open.outlets
-                .iter()
-                .zip(&open.beyond)
-                .find(|(outlet, _)| outlet.holds(&position[i]))
-                .map(|(_, n)| *n)
-        };
         let rates = (self.rates.density_rate.as_mut_slice(), self.particles.divergence.as_mut_slice());
         parallel.update(rates, |i, (rate, divergence)| {
-            if let Some(n) = held(i) {
+            if let Some(n) = open.held(&position[i]) {
                 *rate = (n - density[i]) / dt;
                 *divergence = T::zero();
             }
@@ -62,6 +55,14 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     pub(crate) fn is_leaving(&self, i: usize) -> bool {
         let place = &self.particles.position[i];
         self.open.as_ref().is_some_and(|open| open.outlets.iter().any(|outlet| outlet.holds(place)))
+    }
+}
+
+impl<T: Real, const D: usize> OpenBoundaries<T, D> {
+    /// The density ratio that a particle at `place` is given, if that is beyond an outlet.
+    pub(crate) fn held(&self, place: &Vector<T, D>) -> Option<T> {
+        let mut outlets = self.outlets.iter().zip(&self.beyond);
+        outlets.find(|(outlet, _)| outlet.holds(place)).map(|(_, n)| *n)
     }
 }
 

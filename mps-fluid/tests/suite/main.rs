@@ -12,6 +12,7 @@ mod collisions;
 mod conservation;
 mod corrected;
 mod determinism;
+mod explained;
 mod free_surface;
 mod gaps;
 mod hydrostatic;

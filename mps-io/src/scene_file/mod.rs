@@ -10,7 +10,7 @@
 //! | `scene` | the whole |
 //! | `region`, `inside` | shapes, and what is inside them |
 //! | `fluid`, `openings`, `walls`, `solids`, `fixed` | what there is |
-//! | `probes`, `output`, `choice` | what is measured and written |
+//! | `probes`, `output`, `choice`, `watch` | what is measured and written, and what a run is watched for |
 //! | `source`, `suggest` | where a key is, and which one was meant |
 //! | `reference` | a table of all keys |
 //! | `check/*` | what is refused before anything is built |
@@ -30,6 +30,7 @@ mod solids;
 mod source;
 mod suggest;
 mod walls;
+mod watch;
 
 pub use choice::{Field, FieldForm, FieldPrecision, ProbeForm};
 pub use fixed::{Fixed, Packing};
@@ -49,3 +50,4 @@ pub use solids::{Clamp, Elasticity, InitialVelocity, Material, Side, Solid};
 pub use source::{Problem, SceneError, Source};
 pub use suggest::closest;
 pub use walls::{Motion, Oscillation, Shape, Slip, Steady, Wall};
+pub use watch::{OnFailure, Retry, Watch};

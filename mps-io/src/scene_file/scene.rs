@@ -10,6 +10,7 @@ use super::solids::Solid;
 use super::source::{Problem, SceneError, Source};
 use super::suggest::advice;
 use super::walls::Wall;
+use super::watch::Watch;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -46,6 +47,9 @@ pub struct SceneFile {
     /// What is written
     #[serde(default)]
     pub output: Output,
+    /// What a run is watched for
+    #[serde(default)]
+    pub watch: Watch,
 }
 
 fn two() -> usize {
@@ -66,6 +70,7 @@ impl Default for SceneFile {
             fixed: Vec::new(),
             probes: Vec::new(),
             output: Output::default(),
+            watch: Watch::default(),
         }
     }
 }

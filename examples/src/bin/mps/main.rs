@@ -1,9 +1,9 @@
 //! Runs scenes that are written down in files.
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use mps_examples::scene::{Diagnosis, Drawing, Layout, Window, diagnose, harmonics, plan, plot, resume, run};
 use mps_examples::{Common, Failure, LogLevel, Precision, Refused, exit_code};
-use mps_io::scene_file::{self, SceneError, SceneFile};
+use mps_io::scene_file::{self, OnFailure, Retry, SceneError, SceneFile};
 use mps_neighbors::Parallel;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -50,6 +50,28 @@ struct Begin {
     run: Run,
     #[command(flatten)]
     keep: Keep,
+    /// What becomes of a run that fails, instead of what its scene says
+    #[arg(long, value_enum, value_name = "WAY")]
+    on_failure: Option<Way>,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug)]
+enum Way {
+    /// It stops, with a post-mortem
+    Stop,
+    /// It goes back and tries with shorter steps; how often and how long, the scene may say
+    Retry,
+}
+
+impl Way {
+    /// The way with the numbers of the scene, where it has some.
+    fn with_numbers_of(self, scene: OnFailure) -> OnFailure {
+        match (self, scene) {
+            (Self::Stop, _) => OnFailure::Stop,
+            (Self::Retry, OnFailure::Retry(_)) => scene,
+            (Self::Retry, OnFailure::Stop) => OnFailure::Retry(Retry::default()),
+        }
+    }
 }
 
 #[derive(Args, Clone, Debug)]
@@ -153,8 +175,11 @@ struct Run {
 
 fn main() -> ExitCode {
     let done = match Options::parse().command {
-        Command::Run(Begin { run: options, keep }) => Loaded::of(&options).and_then(|loaded| {
-            let Loaded { scene, layout, .. } = loaded.without_refusals()?;
+        Command::Run(Begin { run: options, keep, on_failure }) => Loaded::of(&options).and_then(|loaded| {
+            let Loaded { mut scene, layout, .. } = loaded.without_refusals()?;
+            if let Some(way) = on_failure {
+                scene.watch.on_failure = way.with_numbers_of(scene.watch.on_failure);
+            }
             run(&scene, &layout, name(&options.scene), &options.common, keep.interval()?)
         }),
         Command::Resume(options) => options.go_on(),

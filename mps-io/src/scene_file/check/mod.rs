@@ -6,6 +6,7 @@ mod output;
 mod phases;
 mod probes;
 mod regions;
+mod watch;
 mod whole;
 
 use super::scene::SceneFile;

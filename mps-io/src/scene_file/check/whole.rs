@@ -53,6 +53,7 @@ impl Checker<'_> {
             self.probe(probe, scene, &format!("probes[{k}].measure"));
         }
         self.output(scene);
+        self.watch(&scene.watch);
     }
 
     /// Names become parts of file names and headings of columns.

@@ -1,0 +1,174 @@
+//! Watches a run, remembers its last steps and its last good states.
+
+use super::super::World;
+use super::alarm::Alarm;
+use super::measure::Measures;
+use super::pace::{Pace, Setback};
+use super::ring::{Ring, Step};
+use crate::Failure;
+use mps_io::scene_file::Watch;
+use mps_kernel::{Kernel, Real, State, Transfer};
+use mps_neighbors::Parallel;
+
+/// A state to go back to.
+pub(in crate::scene) struct Good {
+    /// Of what is stepped, and of the guard.
+    pub(in crate::scene) course: State,
+    /// Of what has been written.
+    pub(in crate::scene) output: State,
+    /// Steps done.
+    pub(in crate::scene) steps: u64,
+}
+
+/// What watches a run.
+pub(in crate::scene) struct Guard {
+    watch: Watch,
+    ring: Ring,
+    pace: Pace,
+    /// What has been passed by a retry, for the summary: a line each.
+    passed: String,
+    /// The last two good states, the older one first: going back to it leaves as many steps as are remembered, at least.
+    good: [Option<Good>; 2],
+}
+
+impl Guard {
+    pub(in crate::scene) fn new(watch: &Watch) -> Self {
+        let ring = Ring::new(watch.steps as usize);
+        let (pace, passed) = (Pace::default(), String::new());
+        Self { watch: watch.clone(), ring, pace, passed, good: [None, None] }
+    }
+
+    /// The last steps.
+    pub(super) fn ring(&self) -> &Ring {
+        &self.ring
+    }
+
+    /// Remarks for the summary.
+    pub(in crate::scene) fn notes(&self) -> impl Iterator<Item = String> {
+        self.passed.lines().map(str::to_owned)
+    }
+
+    /// Takes note of a step that has led to the present state.
+    ///
+    /// # Errors
+    /// If something is wrong with the state.
+    pub(in crate::scene) fn look<T: Real, K: Kernel<T>>(
+        &mut self,
+        world: &World<T, K>,
+        parallel: &Parallel,
+        dt: f64,
+    ) -> Result<(), Failure> {
+        let measures = Measures::of(world, self.watch.region.as_ref(), parallel);
+        let energy = match self.watch.energy_rise {
+            Some(_) => {
+                let (fluid, solid) = world.energy(parallel);
+                (fluid.total() + solid.total()).to_double()
+            }
+            None => f64::NAN,
+        };
+        let step = Step::new([world.count() as f64, world.time(), dt, energy], world.limit(), &measures);
+        let alarm = Alarm::after(&step, &measures, &self.ring, &self.watch);
+        self.ring.push(step);
+        alarm.map_or(Ok(()), |alarm| Err(alarm.into()))
+    }
+
+    /// Whether the state after this many steps is to be kept. While steps are shorter, the state from before the failure stays.
+    pub(in crate::scene) fn wants_state(&self, steps: u64) -> bool {
+        match &self.good {
+            [_, None] => true,
+            [_, Some(newer)] => !self.pace.is_slow() && steps >= newer.steps + u64::from(self.watch.steps),
+        }
+    }
+
+    pub(in crate::scene) fn keep(&mut self, good: Good) {
+        let newer = self.good[1].replace(good);
+        self.good[0] = newer.or(self.good[0].take());
+    }
+
+    /// Takes out the state to go back to.
+    pub(in crate::scene) fn take_good(&mut self) -> Option<Good> {
+        let [older, newer] = &mut self.good;
+        older.take().or_else(|| newer.take())
+    }
+
+    /// What the pace has to be after a failure, with the good state that is gone back to; `None` if the run is to stop.
+    pub(in crate::scene) fn setback(&self, failed: u64, from: u64, substeps: usize) -> Option<Setbacks> {
+        let setback = Setback { failed, from, substeps: substeps as u64 };
+        let pace = self.pace.after(setback, self.watch.on_failure)?;
+        Some(Setbacks { pace, passed: self.passed.clone() })
+    }
+
+    /// Begins again at a state that has been brought back.
+    pub(in crate::scene) fn begin_again<T: Real, K: Kernel<T>>(
+        &mut self,
+        world: &mut World<T, K>,
+        good: Good,
+        Setbacks { pace, passed }: Setbacks,
+        failure: &Failure,
+    ) -> Result<(), Failure> {
+        self.pace = pace;
+        let time = world.time();
+        let what = failure.to_string().replace('\n', " ");
+        self.passed = format!(
+            "{passed}retry {}: went back to t = {time:e} s, with {} of the Courant number until step {}, after: {what}\n",
+            pace.tries,
+            0.5_f64.powi(pace.halvings as i32),
+            pace.until
+        );
+        self.good = [None, Some(good)];
+        self.apply_pace(world)
+    }
+
+    /// Lets the world go at the pace of the guard.
+    pub(in crate::scene) fn apply_pace<T: Real, K: Kernel<T>>(
+        &self,
+        world: &mut World<T, K>,
+    ) -> Result<(), Failure> {
+        world.slow_down(self.pace.halvings, self.pace.substeps as usize)
+    }
+
+    /// Ends shorter steps when it is time.
+    pub(in crate::scene) fn recover<T: Real, K: Kernel<T>>(
+        &mut self,
+        world: &mut World<T, K>,
+    ) -> Result<(), Failure> {
+        if !self.pace.is_slow() || world.count() < self.pace.until {
+            return Ok(());
+        }
+        self.pace = self.pace.recovered();
+        // What lies before the failure has been passed.
+        self.good = [None, None];
+        self.apply_pace(world)
+    }
+
+    /// Pace and last steps, as they are kept while a failure is gone through again.
+    pub(in crate::scene) fn memory(&self) -> Memory {
+        Memory { pace: self.pace, ring: self.ring.clone() }
+    }
+
+    /// Brings them back.
+    pub(in crate::scene) fn remember(&mut self, memory: Memory) {
+        (self.pace, self.ring) = (memory.pace, memory.ring);
+    }
+
+    pub(in crate::scene) fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        let Self { watch: _, ring, pace, passed, good: _ } = self;
+        ring.transfer(transfer);
+        pace.transfer(transfer);
+        let mut bytes = core::mem::take(passed).into_bytes();
+        transfer.list("passed", &mut bytes);
+        *passed = String::from_utf8_lossy(&bytes).into_owned();
+    }
+}
+
+/// Pace and remarks of a run that goes back, which must outlast the state that is brought back.
+pub(in crate::scene) struct Setbacks {
+    pace: Pace,
+    passed: String,
+}
+
+/// Pace and last steps at a failure, which must outlast the state that is brought back to examine it.
+pub(in crate::scene) struct Memory {
+    pace: Pace,
+    ring: Ring,
+}

@@ -1,0 +1,276 @@
+//! Runs that fail: what they leave behind names the particle and goes through the failure again, and some are passed with shorter steps.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
+
+mod common;
+
+use common::{execute, fresh, words};
+use mps_io::checkpoint::Rotation;
+use mps_io::{CsvTable, Summary};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+const MPS: &str = env!("CARGO_BIN_EXE_mps");
+
+/// Water that is let go in a tank, computed like this, with more of the scene behind it.
+fn water(name: &str, numerics: &str, more: &str) -> PathBuf {
+    let text = format!(
+        r#"title = "Water that is let go"
+end_time = 0.5
+gravity = [0.0, -9.81]
+
+[fluid]
+spacing = 1e-2
+expected_speed = 1.4
+numerics = {{ {numerics} }}
+
+[[fluid.bodies]]
+region = {{ box = {{ lower = [0.0, 0.0], upper = [0.2, 0.1] }} }}
+pressure = "released_column"
+
+[[walls]]
+name = "tank"
+shape = {{ line = [[0.0, 0.4], [0.0, 0.0], [0.4, 0.0], [0.4, 0.4]] }}
+fineness = 0.5
+
+[output]
+probe_interval = 1e-3
+{more}"#
+    );
+    file(name, &text)
+}
+
+/// Corrected sums do not stand a free surface, and without collisions nothing keeps particles apart.
+fn unstable(cfl: &str) -> String {
+    format!(
+        r#"cfl = {cfl}, weight = "rational", radius = 3.0, collisions = false, pressure_form = "corrected""#
+    )
+}
+
+/// The usual numerics.
+const CALM: &str = "cfl = 0.5";
+
+/// The water reaches the right end of it after 0.16 s.
+const REGION: &str = "[watch]\nregion = { lower = [-0.1, -0.1], upper = [0.35, 0.5] }\nsteps = 20\n";
+
+fn file(name: &str, text: &str) -> PathBuf {
+    let dir = fresh("post-mortem-scenes", name);
+    std::fs::create_dir_all(&dir).unwrap();
+    let file = dir.join("scene.toml");
+    std::fs::write(&file, text).unwrap();
+    file
+}
+
+/// Runs a scene that is to fail; its directory and what it says.
+fn broken(name: &str, scene: &Path, flags: &[&str]) -> (PathBuf, String) {
+    let dir = fresh("post-mortem", name);
+    let run = ["run", scene.to_str().unwrap(), "--quiet", "--threads", "1"];
+    let output = execute(MPS, &dir, &[&run, flags].concat());
+    let said = words(&output.stderr);
+    assert!(!output.status.success(), "{name} did not fail");
+    assert!(
+        said.contains(&format!("`mps resume {}/post-mortem` goes through", dir.display())),
+        "{name}: {said}"
+    );
+    (dir, said)
+}
+
+/// The first number behind these words.
+fn number_behind(said: &str, words: &str) -> String {
+    said.split(words).nth(1).unwrap().chars().take_while(char::is_ascii_digit).collect()
+}
+
+fn report(dir: &Path) -> String {
+    std::fs::read_to_string(dir.join("post-mortem/report.md")).unwrap()
+}
+
+/// The first line of what a run says, with every digit.
+fn failure(said: &str) -> String {
+    said.lines().next().unwrap().to_owned()
+}
+
+/// The failure of a run comes again from its post-mortem with every bit: the same words, the same last steps and terms, the same rows.
+fn comes_again(dir: &Path, said: &str) {
+    let apart = dir.join("post-mortem");
+    let output =
+        Command::new(MPS).arg("resume").arg(&apart).args(["--quiet", "--threads", "2"]).output().unwrap();
+    assert!(!output.status.success());
+    assert_eq!(failure(&words(&output.stderr)), failure(said));
+    assert_eq!(report(&apart), report(dir));
+    let [mine, theirs] = [&apart, dir].map(|dir| CsvTable::read(dir.join("probes.csv")).unwrap());
+    let last =
+        |table: &CsvTable| table.columns.iter().map(|column| column.last().unwrap().to_bits()).collect();
+    let [mine, theirs]: [Vec<u64>; 2] = [last(&mine), last(&theirs)];
+    assert_eq!(mine, theirs, "the last row");
+    // And so does the state it begins with.
+    let state = |dir: &Path| {
+        let (checkpoint, _) = Rotation::new(dir.join("checkpoint")).read().unwrap();
+        let physical = |name: &str| name.starts_with("wet/") || name.starts_with("watch/");
+        let sections = checkpoint.state.sections().iter().filter(|section| physical(&section.name));
+        sections.cloned().collect::<Vec<_>>()
+    };
+    assert_eq!(state(&apart), state(&apart.join("post-mortem")));
+}
+
+#[test]
+fn an_unstable_run_is_examined_and_comes_again() {
+    let (dir, said) = broken("unstable", &water("unstable", &unstable("1.2"), ""), &[]);
+    let number = number_behind(&said, "because of fluid particle ");
+    let report = report(&dir);
+    for part in [
+        format!("## The particle: fluid particle {number}\n").as_str(),
+        &failure(&said)["error: ".len()..],
+        "| pressure | ",
+        "| pressure of walls | ",
+        "| gravity | 0 | -9.8100 | 9.8100 |",
+        "| **sum** |",
+        "| motion of neighbours | ",
+        "| diffusion | ",
+        "| collisions [m/s] | ",
+        " nearest of ",
+        "**acts**",
+        "## The last steps",
+    ] {
+        assert!(report.contains(part), "{part}: {report}");
+    }
+    let steps =
+        report.split("## The last steps").nth(1).unwrap().lines().filter(|line| line.starts_with("| "));
+    assert_eq!(steps.count(), 2 + 50, "{report}");
+    assert!(dir.join("post-mortem/picture.png").exists());
+    let summary = Summary::read(dir.join("summary.json")).unwrap();
+    assert!(summary.status.contains("post-mortem/report.md"), "{}", summary.status);
+    comes_again(&dir, &said);
+    // A run that begins anew has nothing to do with it.
+    let scene = water("unstable-not", CALM, "");
+    let output = execute(MPS, &dir, &["run", scene.to_str().unwrap(), "--quiet", "--end-time", "0.01"]);
+    assert!(output.status.success() && !dir.join("post-mortem").exists(), "{}", words(&output.stderr));
+}
+
+/// What is watched for beside errors of the step, each with words of its own.
+#[test]
+fn alarms_stop_a_run_and_come_again() {
+    let rise = "[watch]\nenergy_rise = 0.1\n";
+    for (name, scene, words) in [
+        ("collapsed", water("collapsed", &unstable("0.9"), ""), "of the mean of the last ones"),
+        (
+            "energy",
+            water("energy", &unstable("1.2"), rise),
+            "where `watch.energy_rise` of the scene allows 1e-1",
+        ),
+        ("escaped", water("escaped", CALM, REGION), "has left the region of `watch.region` in step "),
+    ] {
+        let (dir, said) = broken(name, &scene, &[]);
+        assert!(said.contains(words), "{name}: {said}");
+        assert!(report(&dir).contains("## The particle: fluid particle "));
+        comes_again(&dir, &said);
+    }
+}
+
+const SOFT: &str = r#"title = "A gate that is too soft"
+end_time = 0.5
+gravity = [0.0, -9.81]
+
+[fluid]
+spacing = 5e-3
+expected_speed = 1.6
+
+[[fluid.bodies]]
+region = { box = { lower = [0.0, 0.0], upper = [0.1, 0.12] } }
+
+[[walls]]
+name = "tank"
+shape = { line = [[0.0, 0.2], [0.0, 0.0], [0.3, 0.0], [0.3, 0.2]] }
+fineness = 0.5
+
+[[solids]]
+name = "gate"
+region = { box = { lower = [0.1, 0.0], upper = [0.115, 0.16] } }
+spacing = 5e-3
+density = 1100
+material = { saint_venant = { youngs_modulus = 1e4, poissons_ratio = 0.4 } }
+clamp = { sides = ["bottom"] }
+
+[output]
+probe_interval = 1e-3
+"#;
+
+#[test]
+fn a_body_that_is_turned_inside_out_is_examined_and_comes_again() {
+    let (dir, said) = broken("soft", &file("soft", SOFT), &[]);
+    assert!(said.contains("structure 0 at "), "{said}");
+    let number = number_behind(&said, "particle ");
+    let report = report(&dir);
+    for part in [
+        format!("## The particle: particle {number} of solid 1\n").as_str(),
+        "| volume ratio det F [-] | ",
+        "| stretch [-] |",
+        "**acts**",
+    ] {
+        assert!(report.contains(part), "{part}: {report}");
+    }
+    comes_again(&dir, &said);
+}
+
+/// What a run says of the failures from which it has gone back.
+fn retries(dir: &Path) -> Vec<String> {
+    let notes = Summary::read(dir.join("summary.json")).unwrap().notes;
+    notes.into_iter().filter(|note| note.starts_with("retry ")).collect()
+}
+
+/// The table has no time twice, although the run has gone back.
+fn assert_in_order(dir: &Path) {
+    let table = CsvTable::read(dir.join("probes.csv")).unwrap();
+    assert!(table.columns[0].is_sorted_by(|a, b| a < b));
+}
+
+#[test]
+fn a_run_passes_with_shorter_steps_what_stops_it_otherwise() {
+    let scene = water("passed", &unstable("0.9"), "");
+    broken("not-passed", &scene, &[]);
+    let dir = fresh("post-mortem", "passed");
+    let run = ["run", scene.to_str().unwrap(), "--on-failure", "retry", "--quiet", "--threads", "1"];
+    let output = execute(MPS, &dir, &run);
+    assert!(output.status.success(), "{}", words(&output.stderr));
+    let tries = retries(&dir);
+    assert!(!tries.is_empty() && tries.len() <= 3, "{tries:?}");
+    assert!(tries[0].contains("with 0.5 of the Courant number"), "{tries:?}");
+    assert_eq!(Summary::read(dir.join("summary.json")).unwrap().status, "completed");
+    assert!(!dir.join("post-mortem").exists());
+    assert_in_order(&dir);
+    // The run says what it is, and is the same again on any number of threads.
+    let again = fresh("post-mortem", "passed-again");
+    let scene = dir.join("scene.toml");
+    let output = execute(MPS, &again, &["run", scene.to_str().unwrap(), "--quiet", "--threads", "2"]);
+    assert!(output.status.success(), "{}", words(&output.stderr));
+    let [one, other] = [&dir, &again].map(|dir| std::fs::read(dir.join("probes.csv")).unwrap());
+    assert!(one == other && retries(&again) == tries);
+}
+
+#[test]
+fn a_run_that_cannot_be_passed_gives_up_after_its_tries() {
+    let retry = "on_failure = { retry = { steps = 40, times = 2 } }\n";
+    let scene = water("given-up", CALM, &[REGION, retry].concat());
+    let (dir, said) = broken("given-up", &scene, &[]);
+    assert!(said.contains("has left the region"), "{said}");
+    let tries = retries(&dir);
+    assert_eq!(tries.len(), 2, "{tries:?}");
+    assert!(tries[0].contains("with 0.5 of the Courant number"), "{tries:?}");
+    assert!(tries[1].contains("with 0.25 of the Courant number"), "{tries:?}");
+    assert_in_order(&dir);
+    comes_again(&dir, &said);
+    // The flag of the run outdoes the scene.
+    let (dir, _) = broken("not-tried", &scene, &["--on-failure", "stop"]);
+    assert!(retries(&dir).is_empty());
+}
+
+/// Watching more changes nothing in a run that does not fail.
+#[test]
+fn a_watched_run_has_the_bits_of_any_other() {
+    let watch = "[watch]\nsteps = 7\ncollapse = 0.1\nenergy_rise = 1e3\nregion = { lower = [-1.0, -1.0], upper = [1.0, 1.0] }\n";
+    let tables = [("plain", ""), ("watched", watch)].map(|(name, watch)| {
+        let (scene, dir) = (water(name, CALM, watch), fresh("post-mortem", name));
+        let output = execute(MPS, &dir, &["run", scene.to_str().unwrap(), "--quiet", "--end-time", "0.1"]);
+        assert!(output.status.success(), "{}", words(&output.stderr));
+        std::fs::read(dir.join("probes.csv")).unwrap()
+    });
+    assert!(tables[0] == tables[1]);
+}
