@@ -8,6 +8,7 @@ mod book;
 mod cli;
 mod conclusion;
 mod connected;
+mod preset;
 mod recording;
 mod released_column;
 mod rings;
@@ -16,15 +17,18 @@ mod schedule;
 pub mod series;
 pub mod solid;
 pub mod submerged;
+mod weight;
 mod words;
 
 pub use cli::{Common, Precision, Refused};
 pub use conclusion::{Cost, conclude, enter_results, exit_code};
 pub use connected::{GAP, connected};
+pub use preset::{Preset, PresetFlag, Settings, parse_with_presets};
 pub use recording::{Recorded, record};
 pub use released_column::released_column;
 pub use rings::rings;
 pub use schedule::{Due, Moments};
+pub use weight::Weight;
 pub use words::{closing_words, report_failure};
 
 /// Any error of an example, already worded for the user.
