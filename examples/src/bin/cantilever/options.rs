@@ -61,7 +61,7 @@ pub(crate) enum Material {
 /// What the presets stand for; their errors are in `docs/trade.md`, and held by `examples/tests/presets.rs`.
 pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
     match preset {
-        Preset::Fast => &[("across", "4")],
+        Preset::Fast => &[("across", "3")],
         Preset::Balanced => &[("across", "6")],
         Preset::Accurate => &[("across", "16")],
     }

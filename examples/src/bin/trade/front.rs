@@ -61,9 +61,9 @@ pub(crate) mod tests {
     /// Against the definition: a row is in the set if no other beats it.
     #[test]
     fn the_set_is_that_of_the_definition() {
-        // Sizes of a multiplicative sequence: no pattern, no equal costs.
-        let number = |k: u64| (k * 48_271 % 2_147_483_647) as f64;
-        let rows: Vec<Row> = (1..60).map(|k| row(number(k), Some(number(k + 1000)))).collect();
+        // Bits of a multiplicative hash: no order, no equal costs.
+        let number = |k: u64| (k * 2_654_435_761 % 4_294_967_296) as f64;
+        let rows: Vec<Row> = (1..60).map(|k| row(number(k), Some(number(k * k + 7)))).collect();
         let beaten = |a: &Row| {
             rows.iter()
                 .any(|b| b.cost_seconds < a.cost_seconds && b.error_over_tolerance <= a.error_over_tolerance)
