@@ -11,6 +11,7 @@ mod connected;
 pub mod harmonics;
 mod log;
 mod milestones;
+mod preset;
 mod recording;
 mod released_column;
 mod rings;
@@ -21,18 +22,21 @@ pub mod solid;
 mod stop;
 pub mod submerged;
 mod watch;
+mod weight;
 mod words;
 
 pub use cli::{Common, Precision, Refused};
 pub use conclusion::{Cost, conclude, enter_results, exit_code};
 pub use connected::{GAP, connected};
 pub use log::LogLevel;
+pub use preset::{Preset, PresetFlag, Settings, parse_with_presets};
 pub use recording::{Recorded, record};
 pub use released_column::released_column;
 pub use rings::rings;
 pub use schedule::{Due, Moments};
 pub use stop::{Asked, Stop, Stopped};
 pub use watch::Watch;
+pub use weight::Weight;
 pub use words::{closing_words, report_failure};
 
 /// Any error of an example, already worded for the user.

@@ -72,10 +72,11 @@ pub fn first_mode(x: f64) -> f64 {
 /// The plate with its velocities at the start (eq. 50), and the middle of its free end.
 ///
 /// # Errors
-/// If the numbers do not make a body.
+/// If the numbers do not make a body, or the configuration is none.
 pub fn plate<T: Real, M: ConstitutiveModel<T, 2>>(
     across: usize,
     material: M,
+    config: SolidConfig<T>,
     parallel: &Parallel,
 ) -> Result<(Solid<T, 2, M>, Vector<T, 2>), Failure> {
     let clamp = [Face::lower(0)];
@@ -83,15 +84,8 @@ pub fn plate<T: Real, M: ConstitutiveModel<T, 2>>(
     let mut counts = body::counts(&lower, &upper, T::of(THICKNESS / across as f64), &clamp);
     counts[1] = across;
     let plate = body::block(lower, upper, counts, &clamp)?;
-    let mut solid = Solid::new(
-        plate.particles,
-        plate.spacing,
-        T::of(DENSITY),
-        material,
-        WendlandC2,
-        SolidConfig::default(),
-        parallel,
-    )?;
+    let mut solid =
+        Solid::new(plate.particles, plate.spacing, T::of(DENSITY), material, WendlandC2, config, parallel)?;
     let speed = TIP_SPEED * sound_speed();
     let along: Vec<f64> = solid.positions().iter().map(|x| x[0].to_double() / LENGTH).collect();
     for (u, x) in solid.velocities_mut().iter_mut().zip(along) {

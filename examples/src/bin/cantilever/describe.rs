@@ -10,14 +10,18 @@ use mps_io::scene_file::{
     self, Clamp, Corners, DisplacementProbe, Elasticity, InitialVelocity, Measure, Output, Probe, Region,
     SceneFile, Side, Slip, Solid,
 };
+use mps_solid::SolidConfig;
 
 /// The scene of the plate with so many particles across.
 ///
 /// # Errors
-/// If it is to be run at several resolutions.
+/// If it is to be run at several resolutions, or with numerics of its own.
 pub(crate) fn scene(options: &Options, across: usize) -> Result<SceneFile, Refused> {
     let remedy = "a scene is one run: leave it out, and give --across";
     Refused::unless(!options.convergence, "--convergence", "given", remedy)?;
+    let remedy = "a scene has the usual numerics of a body: leave --radius and --cfl out";
+    let usual = options.config::<f64>() == SolidConfig::default();
+    Refused::unless(usual, "--radius or --cfl", "given", remedy)?;
     let period = PERIOD * unit_of_time();
     let plate = Solid {
         name: "plate".into(),

@@ -5,11 +5,10 @@ mod describe;
 mod options;
 mod report;
 
-use clap::Parser;
 use mps_examples::scene::print_scene;
 use mps_examples::solid::plate::{LENGTH, PERIOD, THICKNESS, moduli, plate, unit_of_time};
 use mps_examples::solid::{Look, Motion, Pictures};
-use mps_examples::{Failure, Precision, Watch, conclude, exit_code, record};
+use mps_examples::{Failure, Precision, Watch, conclude, exit_code, parse_with_presets, record};
 use mps_io::{Summary, View};
 use mps_kernel::{Real, Vector};
 use mps_solid::ConstitutiveModel;
@@ -24,7 +23,7 @@ const SAMPLES: f64 = 400.0;
 const FRAMES: f64 = 40.0;
 
 fn main() -> ExitCode {
-    exit_code(run_all(&Options::parse()))
+    exit_code(run_all(&parse_with_presets::<Options>(options::preset)))
 }
 
 fn run_all(options: &Options) -> Result<(), Failure> {
@@ -67,7 +66,7 @@ fn run<T: Real, M: ConstitutiveModel<T, 2>>(
     material: M,
 ) -> Result<Ended, Failure> {
     let parallel = options.common.parallel()?;
-    let (solid, tip) = plate(across, material, &parallel)?;
+    let (solid, tip) = plate(across, material, options.config(), &parallel)?;
     let pictures = if options.common.no_fields { None } else { Some(Pictures::new(dir, look(across))?) };
     let interval = PERIOD * unit_of_time() / SAMPLES;
     let mut motion = Motion::new(solid, tip, Vector::zeros(), interval, &parallel)?

@@ -2,7 +2,9 @@
 
 use clap::{Parser, ValueEnum};
 use mps_examples::solid::plate::{PERIOD, THICKNESS, unit_of_time};
-use mps_examples::{Common, Refused};
+use mps_examples::{Common, Preset, PresetFlag, Refused};
+use mps_kernel::Real;
+use mps_solid::SolidConfig;
 
 /// Free vibration of a clamped plate (Gray, Monaghan and Swift 2001; case 1 of the paper).
 ///
@@ -21,6 +23,12 @@ pub(crate) struct Options {
     /// Law of the material, always with K = 3.25 MPa and G = 0.715 MPa
     #[arg(long, value_enum, default_value_t = Material::Corotational)]
     pub(crate) material: Material,
+    /// Effective radius of the neighbourhood over the spacing
+    #[arg(long, value_name = "RATIO", default_value_t = SolidConfig::default().radius_ratio)]
+    radius: f64,
+    /// Step over the stability limit of the plate
+    #[arg(long, value_name = "C", default_value_t = SolidConfig::default().cfl)]
+    cfl: f64,
     /// Simulated periods of the first mode
     #[arg(long, value_name = "P", default_value_t = 3.2)]
     periods: f64,
@@ -34,6 +42,8 @@ pub(crate) struct Options {
     #[arg(long)]
     pub(crate) print_scene: bool,
     #[command(flatten)]
+    _preset: PresetFlag,
+    #[command(flatten)]
     pub(crate) common: Common,
 }
 
@@ -46,6 +56,15 @@ pub(crate) enum Material {
     SaintVenant,
     /// The compressible neo-Hookean law
     NeoHookean,
+}
+
+/// What the presets stand for; their errors are in `docs/trade.md`, and held by `examples/tests/presets.rs`.
+pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
+    match preset {
+        Preset::Fast => &[("across", "3")],
+        Preset::Balanced => &[("across", "6")],
+        Preset::Accurate => &[("across", "16")],
+    }
 }
 
 impl Options {
@@ -78,8 +97,17 @@ impl Options {
                 )?;
             }
         }
+        let usual = "give the effective radius in spacings, from 1.2 to 6, e.g. 1.6";
+        Refused::unless((1.2..=6.0).contains(&self.radius), "--radius", self.radius, usual)?;
+        let usual = "give a share of the stability limit, more than 0 and at most 1, e.g. 0.8";
+        Refused::unless(self.cfl > 0.0 && self.cfl <= 1.0, "--cfl", self.cfl, usual)?;
         self.common.check()?;
         Ok(across)
+    }
+
+    /// Numerics of the plate.
+    pub(crate) fn config<T: Real>(&self) -> SolidConfig<T> {
+        SolidConfig { radius_ratio: T::of(self.radius), cfl: T::of(self.cfl), ..SolidConfig::default() }
     }
 
     /// Simulated time \[s\].

@@ -63,6 +63,7 @@ pub(crate) fn summary<T: Real, M: ConstitutiveModel<T, 2>>(
     summary.set("sound_speed_m_s", sound_speed());
     summary.set("substep_s", motion.substep());
     summary.set("radius_ratio", solid.config().radius_ratio.to_double());
+    summary.set("cfl", solid.config().cfl.to_double());
     summary.particles.insert("solid".into(), solid.len() as u64);
     cost.enter(&mut summary, &options.common, failure);
     let results = results(motion.samples());

@@ -1,6 +1,6 @@
 //! The run as a scene file.
 
-use crate::options::{Options, Weight};
+use crate::options::Options;
 use crate::setup::{
     DENSITY, GRAVITY, HEIGHT, LENGTH, PRESSURE, Release, Settings, Smoothing, TANK, WALL_HEIGHT,
     WALL_SPACING, bed_length, sound_speed,
@@ -9,7 +9,7 @@ use crate::{FRAME_INTERVAL, PROBE_INTERVAL};
 use mps_examples::Refused;
 use mps_examples::scene::form_of;
 use mps_io::scene_file::{
-    self, Body, Corners, Diffusion, Fixed, Fluid, FrontProbe, InitialPressure, LevelProbe, Measure, Numerics,
+    Body, Corners, Diffusion, Fixed, Fluid, FrontProbe, InitialPressure, LevelProbe, Measure, Numerics,
     Output, Packing, PressureProbe, Probe, Region, SceneFile, Slip, Tension, Viscosity, Wall, Way,
 };
 
@@ -55,10 +55,7 @@ pub(crate) fn scene(options: &Options, settings: &Settings) -> Result<SceneFile,
 
 fn fluid(options: &Options, settings: &Settings) -> Fluid {
     let numerics = Numerics {
-        weight: match options.weight {
-            Weight::Smooth => scene_file::Weight::Smooth,
-            Weight::Rational => scene_file::Weight::Rational,
-        },
+        weight: options.weight.in_a_scene(),
         radius: settings.radius,
         diffusion: match settings.diffusion {
             Smoothing::Filter(delta) => Diffusion::Filter(delta),

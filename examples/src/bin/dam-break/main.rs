@@ -14,15 +14,16 @@ mod sensors;
 mod setup;
 mod stabilisers;
 
-use clap::Parser;
 use fields::Fields;
 use mps_examples::scene::print_scene;
-use mps_examples::{Cost, Failure, Precision, Watch, conclude, exit_code, record};
+use mps_examples::{
+    Cost, Failure, Precision, Watch, Weight, conclude, exit_code, parse_with_presets, record,
+};
 use mps_io::Summary;
 use mps_kernel::weights::{Rational, WendlandGradient};
 use mps_kernel::{Kernel, Real};
 use observe::Observer;
-use options::{Options, Weight};
+use options::Options;
 use run::Run;
 use setup::DamBreak;
 use std::process::ExitCode;
@@ -40,7 +41,7 @@ const SNAPSHOTS: [f64; 10] = [0.0, 1.0, 2.0, 2.5, 3.0, 4.0, 5.0, 5.5, JET, 7.0];
 const JET: f64 = 6.0;
 
 fn main() -> ExitCode {
-    exit_code(run_all(&Options::parse()))
+    exit_code(run_all(&parse_with_presets::<Options>(options::preset)))
 }
 
 fn run_all(options: &Options) -> Result<(), Failure> {

@@ -2,7 +2,7 @@
 
 use crate::setup::{HEIGHT, Release, Settings, Smoothing};
 use clap::Parser;
-use mps_examples::{Common, Refused};
+use mps_examples::{Common, Preset, PresetFlag, Refused, Weight};
 use mps_fluid::{PressureForm, Tension};
 
 /// Dam break onto a dry bed and against a wall (Lobovsky et al. 2014; case 2 of the paper).
@@ -69,25 +69,24 @@ pub(crate) struct Options {
     #[arg(long)]
     pub(crate) print_scene: bool,
     #[command(flatten)]
+    _preset: PresetFlag,
+    #[command(flatten)]
     pub(crate) common: Common,
 }
 
-/// Which weight the sums over neighbours have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum Weight {
-    /// Gradient of Wendland's function: sums of a strained arrangement stay those of a fluid
-    Smooth,
-    /// That of the paper, re/r - 1: a strained arrangement resists shear in proportion to its pressure
-    Rational,
+/// What the presets stand for; their errors are in `docs/trade.md`, and held by `examples/tests/presets.rs`.
+pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
+    match preset {
+        Preset::Fast => &[("spacing", "0.03"), ("cfl", "1")],
+        Preset::Balanced => &[("spacing", "0.02")],
+        Preset::Accurate => &[("spacing", "0.01")],
+    }
 }
 
 impl Options {
     /// Effective radius over the spacing.
     fn radius(&self) -> f64 {
-        self.radius.unwrap_or(match self.weight {
-            Weight::Smooth => 4.0,
-            Weight::Rational => 3.0,
-        })
+        self.radius.unwrap_or_else(|| self.weight.radius())
     }
 
     /// Refuses what cannot be run, before anything is built.

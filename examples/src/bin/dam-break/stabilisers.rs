@@ -1,7 +1,7 @@
 //! Each stabiliser switched in turn: what it brings and what it costs.
 
-use crate::options::{Options, Weight};
-use mps_examples::{Failure, Precision};
+use crate::options::Options;
+use mps_examples::{Failure, Precision, Weight};
 use mps_io::Summary;
 use std::fmt::Write;
 use std::path::Path;

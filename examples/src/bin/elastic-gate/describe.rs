@@ -3,29 +3,31 @@
 use crate::options::Options;
 use crate::setup::{
     GATE_LENGTH, GATE_THICKNESS, GRAVITY, RESERVOIR_WIDTH, Settings, WALL_HEIGHT, WATER_DEPTH, run_out,
-    sound_speed,
+    sound_speed, wall_depth,
 };
 use crate::{FIELD_INTERVAL, FRAME_INTERVAL, PROBE_INTERVAL, SNAPSHOT_INTERVAL};
 use mps_examples::Refused;
 use mps_examples::scene::form_of;
 use mps_io::scene_file::{
-    Body, Clamp, Corners, DisplacementProbe, Elasticity, Fluid, InitialPressure, Material, Measure, Numerics,
-    Output, Probe, Region, SceneFile, Side, Slip, Solid, Viscosity, Wall, Weight,
+    Body, Clamp, Corners, Diffusion, DisplacementProbe, Elasticity, Fluid, InitialPressure, Material,
+    Measure, Numerics, Output, Probe, Region, SceneFile, Side, Slip, Solid, Viscosity, Wall,
 };
 
 /// The scene of these settings.
 ///
 /// # Errors
-/// If earlier runs are to be drawn beside it.
+/// If earlier runs are to be drawn beside it, or it has sub-steps that stability does not ask for.
 pub(crate) fn scene(options: &Options, settings: &Settings) -> Result<SceneFile, Refused> {
     let alone = options.beside.is_empty();
     let remedy = "a scene knows nothing of other runs: leave it out of --print-scene";
     Refused::unless(alone, "--beside", "given", remedy)?;
+    let remedy = "a scene takes as many as stability asks for: leave it out of --print-scene";
+    Refused::unless(settings.min_substeps == 1, "--min-substeps", settings.min_substeps, remedy)?;
     Ok(SceneFile {
         title: format!("Dam break through an elastic gate, {}", options.material.name()),
         end_time: settings.end_time,
         gravity: vec![0.0, -GRAVITY],
-        fluid: Some(fluid(settings)),
+        fluid: Some(fluid(options, settings)),
         walls: walls(settings),
         solids: vec![gate(settings)],
         probes: vec![
@@ -45,13 +47,14 @@ pub(crate) fn scene(options: &Options, settings: &Settings) -> Result<SceneFile,
     })
 }
 
-fn fluid(settings: &Settings) -> Fluid {
+fn fluid(options: &Options, settings: &Settings) -> Fluid {
     let numerics = Numerics {
-        weight: Weight::Rational,
-        radius: 3.0,
+        weight: options.weight.in_a_scene(),
+        radius: settings.radius,
+        diffusion: Diffusion::Filter(settings.diffusion),
+        collisions: settings.collisions,
         shifting: settings.shifting,
         cfl: settings.cfl,
-        sound_damping: settings.sound_damping,
         pressure_form: form_of(settings.pressure_form),
         ..Numerics::default()
     };
@@ -69,7 +72,7 @@ fn fluid(settings: &Settings) -> Fluid {
 }
 
 fn walls(settings: &Settings) -> Vec<Wall> {
-    let depth = 3.0 * settings.spacing;
+    let depth = wall_depth(settings);
     let right = RESERVOIR_WIDTH + GATE_THICKNESS + run_out(settings);
     let hanger = [RESERVOIR_WIDTH + GATE_THICKNESS.max(depth), WALL_HEIGHT];
     let wall = |name: &str, region| Wall::filling(name, region, Slip::Free);

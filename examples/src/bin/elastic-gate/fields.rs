@@ -6,7 +6,7 @@ use mps_examples::Failure;
 use mps_fluid::surface::Surface;
 use mps_io::{ColorMap, FieldOptions, FieldPicture, FieldWriter, Film, PointCloud, View};
 use mps_kernel::tensor::{green_lagrange, largest_eigenvalue};
-use mps_kernel::{Real, Vector};
+use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::Parallel;
 use std::path::{Path, PathBuf};
 
@@ -26,7 +26,11 @@ pub(crate) struct Fields<T: Real> {
 }
 
 impl<T: Real> Fields<T> {
-    pub(crate) fn new(dir: &Path, title: String, scene: &GateScene<T>) -> Result<Self, Failure> {
+    pub(crate) fn new<K: Kernel<T>>(
+        dir: &Path,
+        title: String,
+        scene: &GateScene<T, K>,
+    ) -> Result<Self, Failure> {
         let fields = dir.join("fields");
         let walls = scene.fluid().boundary().position[..scene.fluid().boundary().reactive().start].to_vec();
         FieldWriter::new(&fields, "walls", FieldOptions::default())?.write(0.0, &PointCloud::new(&walls))?;
@@ -43,7 +47,11 @@ impl<T: Real> Fields<T> {
     }
 
     /// One frame of water.pvd and gate.pvd.
-    pub(crate) fn write(&mut self, scene: &mut GateScene<T>, parallel: &Parallel) -> Result<(), Failure> {
+    pub(crate) fn write<K: Kernel<T>>(
+        &mut self,
+        scene: &mut GateScene<T, K>,
+        parallel: &Parallel,
+    ) -> Result<(), Failure> {
         scene.update_interfaces(parallel);
         let time = scene.fluid().time().to_double();
         scene.fluid_mut().classify_surface(parallel, &mut self.surface)?;
@@ -81,7 +89,11 @@ impl<T: Real> Fields<T> {
     }
 
     /// One frame of film.png, and a picture of its own if `snapshot`.
-    pub(crate) fn draw(&mut self, scene: &GateScene<T>, snapshot: bool) -> Result<(), Failure> {
+    pub(crate) fn draw<K: Kernel<T>>(
+        &mut self,
+        scene: &GateScene<T, K>,
+        snapshot: bool,
+    ) -> Result<(), Failure> {
         let Some(gate) = gate(scene) else { return Ok(()) };
         let time = scene.fluid().time().to_double();
         let l0 = scene.fluid().config().spacing.to_double();
@@ -125,7 +137,7 @@ impl<T: Real> Fields<T> {
     }
 }
 
-fn gate<T: Real>(scene: &GateScene<T>) -> Option<&Gate<T>> {
+fn gate<T: Real, K: Kernel<T>>(scene: &GateScene<T, K>) -> Option<&Gate<T>> {
     scene.structure(0)?.as_any().downcast_ref()
 }
 

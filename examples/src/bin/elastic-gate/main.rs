@@ -12,11 +12,13 @@ mod run;
 mod setup;
 
 use beside::Earlier;
-use clap::Parser;
 use fields::Fields;
 use mps_examples::scene::print_scene;
-use mps_examples::{Cost, Failure, Precision, Watch, conclude, exit_code, record};
-use mps_kernel::Real;
+use mps_examples::{
+    Cost, Failure, Precision, Watch, Weight, conclude, exit_code, parse_with_presets, record,
+};
+use mps_kernel::weights::{Rational, WendlandGradient};
+use mps_kernel::{Kernel, Real};
 use observe::Observer;
 use options::Options;
 use run::Run;
@@ -34,11 +36,11 @@ const FIELD_INTERVAL: f64 = 1e-2;
 const SNAPSHOT_INTERVAL: f64 = 4e-2;
 
 fn main() -> ExitCode {
-    let options = Options::parse();
+    let options = parse_with_presets::<Options>(options::preset);
     let done = match options.common.precision {
         _ if options.print_scene => print(&options),
-        Precision::F32 => run::<f32>(&options),
-        Precision::F64 => run::<f64>(&options),
+        Precision::F32 => run_with_weight::<f32>(&options),
+        Precision::F64 => run_with_weight::<f64>(&options),
     };
     exit_code(done)
 }
@@ -48,12 +50,19 @@ fn print(options: &Options) -> Result<(), Failure> {
     print_scene("elastic-gate", scene, &options.common)
 }
 
-fn run<T: Real>(options: &Options) -> Result<(), Failure> {
+fn run_with_weight<T: Real>(options: &Options) -> Result<(), Failure> {
+    match options.weight {
+        Weight::Smooth => run::<T, _>(options, WendlandGradient),
+        Weight::Rational => run::<T, _>(options, Rational),
+    }
+}
+
+fn run<T: Real, K: Kernel<T>>(options: &Options, weight: K) -> Result<(), Failure> {
     let settings = options.settings()?;
     let earlier = options.beside.iter().map(|dir| Earlier::read(dir)).collect::<Result<Vec<_>, _>>()?;
     let parallel = options.common.parallel()?;
     let dir = options.common.output("elastic-gate")?;
-    let mut scene = setup::build::<T>(&settings, &parallel)?;
+    let mut scene = setup::build::<T, K>(&settings, weight, &parallel)?;
     let mut observer = Observer::new(&dir, &scene, settings.across, &parallel)?;
     let fields = if options.common.no_fields {
         None

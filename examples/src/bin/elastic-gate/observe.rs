@@ -3,7 +3,7 @@
 use crate::setup::{FreeEnd, GATE_THICKNESS, GateScene, RESERVOIR_WIDTH, WALL_HEIGHT, WATER_DEPTH, free_end};
 use mps_examples::Failure;
 use mps_io::CsvWriter;
-use mps_kernel::{Real, Vector};
+use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::Parallel;
 use std::path::Path;
 
@@ -55,9 +55,9 @@ const DOWNSTREAM: u8 = 1;
 const LEAKED: u8 = 2;
 
 impl<T: Real> Observer<T> {
-    pub(crate) fn new(
+    pub(crate) fn new<K: Kernel<T>>(
         dir: &Path,
-        scene: &GateScene<T>,
+        scene: &GateScene<T, K>,
         across: usize,
         parallel: &Parallel,
     ) -> Result<Self, Failure> {
@@ -77,7 +77,7 @@ impl<T: Real> Observer<T> {
     }
 
     /// Called every few steps: energy and leaks, which must not be missed between two rows.
-    pub(crate) fn watch(&mut self, scene: &GateScene<T>, parallel: &Parallel) {
+    pub(crate) fn watch<K: Kernel<T>>(&mut self, scene: &GateScene<T, K>, parallel: &Parallel) {
         let (fluid, gate) = scene.energy(parallel);
         let total = fluid.total().to_double() + gate.total().to_double();
         self.first_energy.get_or_insert(total);
@@ -88,9 +88,9 @@ impl<T: Real> Observer<T> {
     }
 
     /// Writes a row of `probes.csv`.
-    pub(crate) fn record(
+    pub(crate) fn record<K: Kernel<T>>(
         &mut self,
-        scene: &mut GateScene<T>,
+        scene: &mut GateScene<T, K>,
         parallel: &Parallel,
         dt: f64,
     ) -> Result<(), Failure> {
@@ -139,7 +139,7 @@ impl<T: Real> Observer<T> {
 
     /// A particle has leaked if it is behind the left wall, below the floor, or has come to the other
     /// side of the middle line of gate and wall while above the free end by more than a particle.
-    fn watch_leaks(&mut self, scene: &GateScene<T>) {
+    fn watch_leaks<K: Kernel<T>>(&mut self, scene: &GateScene<T, K>) {
         let l0 = scene.fluid().config().spacing.to_double();
         let line = middle_line(gate_positions(scene), self.across);
         let lowest = line[0][1];
@@ -164,7 +164,7 @@ impl<T: Real> Observer<T> {
 }
 
 /// Positions of the gate's particles.
-pub(crate) fn gate_positions<T: Real>(scene: &GateScene<T>) -> &[Vector<T, 2>] {
+pub(crate) fn gate_positions<T: Real, K: Kernel<T>>(scene: &GateScene<T, K>) -> &[Vector<T, 2>] {
     scene.structure(0).map_or(&[], |gate| gate.positions())
 }
 
@@ -189,7 +189,7 @@ fn line_at(line: &[[f64; 2]], y: f64) -> f64 {
 
 /// Highest water within two spacings of the middle of the reservoir that hangs together with what
 /// is below it: spray does not count \[m\].
-fn water_level<T: Real>(scene: &GateScene<T>) -> f64 {
+fn water_level<T: Real, K: Kernel<T>>(scene: &GateScene<T, K>) -> f64 {
     let l0 = scene.fluid().config().spacing.to_double();
     let near = |r: &&Vector<T, 2>| (r[0].to_double() - 0.5 * RESERVOIR_WIDTH).abs() < 2.0 * l0;
     let mut heights: Vec<f64> =

@@ -3,7 +3,7 @@
 use crate::reference::{EXPERIMENT_MAXIMUM, KHAYYER_2018, Maximum, NG_2020, SPHINXSYS};
 use crate::setup::{GATE_THICKNESS, Rubber, Settings};
 use clap::{Parser, ValueEnum};
-use mps_examples::{Common, Refused};
+use mps_examples::{Common, Preset, PresetFlag, Refused, Weight};
 use mps_fluid::PressureForm;
 use std::path::PathBuf;
 
@@ -18,6 +18,12 @@ pub(crate) struct Options {
     /// Spacing of the fluid particles (m)
     #[arg(long, value_name = "M", default_value_t = 1.25e-3)]
     pub(crate) spacing: f64,
+    /// Weight of the particle sums
+    #[arg(long, value_enum, default_value_t = Weight::Rational)]
+    pub(crate) weight: Weight,
+    /// Effective radius over the spacing; by default 3 with the rational weight and 4 with the smooth one
+    #[arg(long, value_name = "RATIO")]
+    radius: Option<f64>,
     /// Simulated time (s)
     #[arg(long, value_name = "S", default_value_t = 0.4)]
     pub(crate) end_time: f64,
@@ -27,15 +33,21 @@ pub(crate) struct Options {
     /// Structure particles across the gate; at least 4 or as fine as the fluid if left out
     #[arg(long, value_name = "N")]
     pub(crate) across: Option<usize>,
+    /// Least number of sub-steps of the gate in a step of the water; what stability asks for if that is more
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    min_substeps: usize,
     /// Numerical sound speed over the speed of free fall from the surface
     #[arg(long, value_name = "RATIO", default_value_t = 10.0)]
     pub(crate) sound_ratio: f64,
     /// Courant number of the fluid
     #[arg(long, value_name = "C", default_value_t = 0.5)]
     pub(crate) cfl: f64,
-    /// Bulk viscosity in units of density, sound speed and spacing: damps sound
-    #[arg(long, value_name = "Z", default_value_t = 0.0)]
-    pub(crate) sound_damping: f64,
+    /// Strength of the density diffusion; 0 switches it off
+    #[arg(long, value_name = "DELTA", default_value_t = 0.5)]
+    diffusion: f64,
+    /// No collisions between close particles
+    #[arg(long)]
+    no_dpc: bool,
     /// Strength of the artificial viscosity
     #[arg(long, value_name = "ALPHA", default_value_t = 0.02)]
     pub(crate) alpha: f64,
@@ -52,6 +64,8 @@ pub(crate) struct Options {
     /// Print the scene file that is this run, for `mps run`, instead of running it
     #[arg(long)]
     pub(crate) print_scene: bool,
+    #[command(flatten)]
+    _preset: PresetFlag,
     #[command(flatten)]
     pub(crate) common: Common,
 }
@@ -103,6 +117,15 @@ impl Material {
     }
 }
 
+/// What the presets stand for; their errors are in `docs/trade.md`, and held by `examples/tests/presets.rs`.
+pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
+    match preset {
+        Preset::Fast => &[("spacing", "2.5e-3"), ("cfl", "0.8"), ("sound-ratio", "5")],
+        Preset::Balanced => &[("spacing", "2.5e-3")],
+        Preset::Accurate => &[("spacing", "1.25e-3")],
+    }
+}
+
 impl Options {
     /// Refuses what cannot be run, before anything is built.
     pub(crate) fn settings(&self) -> Result<Settings, Refused> {
@@ -145,12 +168,6 @@ impl Options {
             "give a Courant number between 0 and 2, e.g. 0.5",
         )?;
         Refused::unless(
-            (0.0..=2.0).contains(&self.sound_damping),
-            "--sound-damping",
-            self.sound_damping,
-            "give a strength between 0 and 2, e.g. 0.2",
-        )?;
-        Refused::unless(
             self.sound_ratio.is_finite() && self.sound_ratio >= 1.0,
             "--sound-ratio",
             self.sound_ratio,
@@ -168,6 +185,13 @@ impl Options {
             self.shifting,
             "give the number of parts of a shift, 5 in the paper, or 0 for no shifting",
         )?;
+        let radius = self.radius.unwrap_or_else(|| self.weight.radius());
+        let usual = "give an effective radius between 2 and 6 spacings, e.g. 3";
+        Refused::unless((2.0..=6.0).contains(&radius), "--radius", radius, usual)?;
+        let usual = "give a strength between 0 and 2, e.g. 0.5";
+        Refused::unless((0.0..=2.0).contains(&self.diffusion), "--diffusion", self.diffusion, usual)?;
+        let usual = "give at least 1 and at most 1000";
+        Refused::unless((1..=1000).contains(&self.min_substeps), "--min-substeps", self.min_substeps, usual)?;
         let across = self.across.unwrap_or_else(|| (thickness.round() as usize).max(4));
         Refused::unless(across >= 2, "--across", across, "the gate needs at least 2 particles across")?;
         Refused::unless(
@@ -182,9 +206,12 @@ impl Options {
             across,
             rubber: self.material.rubber(),
             end_time: self.end_time,
+            radius,
+            min_substeps: self.min_substeps,
+            diffusion: self.diffusion,
+            collisions: !self.no_dpc,
             sound_ratio: self.sound_ratio,
             cfl: self.cfl,
-            sound_damping: self.sound_damping,
             alpha: self.alpha,
             shifting: self.shifting,
             pressure_form: if self.corrected { PressureForm::Corrected } else { PressureForm::Plain },

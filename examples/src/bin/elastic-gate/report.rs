@@ -7,7 +7,7 @@ use crate::reference::EXPERIMENT;
 use crate::setup::{FreeEnd, GateScene, Settings, sound_speed};
 use mps_examples::{Cost, Failure};
 use mps_io::{CurvePlot, Metric, Summary};
-use mps_kernel::Real;
+use mps_kernel::{Kernel, Real};
 use std::path::Path;
 
 /// Displacement of the free end over time, with the experiment's points and the published maximum.
@@ -52,10 +52,10 @@ pub(crate) fn plot<T: Real>(
 }
 
 /// Settings, cost and results, whether the run was completed or not.
-pub(crate) fn summary<T: Real>(
+pub(crate) fn summary<T: Real, K: Kernel<T>>(
     options: &Options,
     settings: &Settings,
-    scene: &GateScene<T>,
+    scene: &GateScene<T, K>,
     observer: &Observer<T>,
     cost: &Cost,
     failure: Option<&Failure>,
@@ -70,11 +70,13 @@ pub(crate) fn summary<T: Real>(
     summary.set("particles_across_gate", settings.across);
     summary.set("sound_speed_m_s", sound_speed(settings));
     summary.set("cfl", settings.cfl);
-    summary.set("sound_damping", settings.sound_damping);
     summary.set("artificial_viscosity", settings.alpha);
     summary.set("shifting_parts", settings.shifting);
     summary.set("pressure_form", if options.corrected { "corrected" } else { "plain" });
     summary.set("density_diffusion", scene.fluid().config().diffusion.delta().to_double());
+    summary.set("weight", scene.fluid().kernel().name());
+    summary.set("collisions", settings.collisions);
+    summary.set("min_substeps", settings.min_substeps);
     summary.set("radius_ratio", scene.fluid().config().radius_ratio.to_double());
     let boundary = scene.fluid().boundary();
     summary.particles.insert("fluid".into(), cost.particles as u64);

@@ -5,13 +5,13 @@ use crate::observe::Observer;
 use crate::setup::GateScene;
 use crate::{FIELD_INTERVAL, FRAME_INTERVAL, PROBE_INTERVAL, SNAPSHOT_INTERVAL, WATCH_EVERY};
 use mps_examples::{Due, Failure, Recorded};
-use mps_kernel::Real;
+use mps_kernel::{Kernel, Real};
 use mps_neighbors::Parallel;
 use std::fmt;
 
 /// Water and gate, their observer, and what is drawn and when.
-pub(crate) struct Run<'a, T: Real> {
-    scene: &'a mut GateScene<T>,
+pub(crate) struct Run<'a, T: Real, K: Kernel<T>> {
+    scene: &'a mut GateScene<T, K>,
     observer: &'a mut Observer<T>,
     fields: Option<Fields<T>>,
     parallel: &'a Parallel,
@@ -21,9 +21,9 @@ pub(crate) struct Run<'a, T: Real> {
     snapshot: Due,
 }
 
-impl<'a, T: Real> Run<'a, T> {
+impl<'a, T: Real, K: Kernel<T>> Run<'a, T, K> {
     pub(crate) fn new(
-        scene: &'a mut GateScene<T>,
+        scene: &'a mut GateScene<T, K>,
         observer: &'a mut Observer<T>,
         fields: Option<Fields<T>>,
         parallel: &'a Parallel,
@@ -34,7 +34,7 @@ impl<'a, T: Real> Run<'a, T> {
     }
 }
 
-impl<T: Real> Recorded for Run<'_, T> {
+impl<T: Real, K: Kernel<T>> Recorded for Run<'_, T, K> {
     fn time(&self) -> f64 {
         self.scene.fluid().time().to_double()
     }

@@ -3,11 +3,11 @@
 use mps_coupling::{ElasticBody, Scene};
 use mps_examples::Failure;
 use mps_fluid::{
-    ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, PressureForm,
-    Shifting, Slip,
+    ArtificialViscosity, Boundary, Diffusion, Dpc, EquationOfState, Fluid, FluidConfig, FluidParticles,
+    PressureForm, Shifting, Slip,
 };
-use mps_kernel::weights::{Rational, WendlandC2};
-use mps_kernel::{Real, Vector};
+use mps_kernel::weights::WendlandC2;
+use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::{Open, Parallel};
 use mps_solid::body::{Face, block};
 use mps_solid::materials::CorotationalHooke;
@@ -27,7 +27,7 @@ pub(crate) const WALL_HEIGHT: f64 = 0.18;
 pub(crate) const GRAVITY: f64 = 9.81;
 
 /// The fluid, with artificial viscosity, and the gate.
-pub(crate) type GateScene<T> = Scene<T, 2, Rational, ArtificialViscosity<T>>;
+pub(crate) type GateScene<T, K> = Scene<T, 2, K, ArtificialViscosity<T>>;
 
 /// The gate.
 pub(crate) type Gate<T> = ElasticBody<T, 2, CorotationalHooke<T>>;
@@ -54,12 +54,18 @@ pub(crate) struct Settings {
     pub(crate) rubber: Rubber,
     /// Simulated time \[s\], for the length of the floor.
     pub(crate) end_time: f64,
+    /// Effective radius over the spacing.
+    pub(crate) radius: f64,
+    /// Least number of sub-steps of the gate in a step of the water.
+    pub(crate) min_substeps: usize,
+    /// Strength of the density diffusion, 0 for none.
+    pub(crate) diffusion: f64,
+    /// Whether close particles collide.
+    pub(crate) collisions: bool,
     /// Numerical sound speed over `sqrt(2 g H)`, the speed of the jet.
     pub(crate) sound_ratio: f64,
     /// Courant number of the fluid.
     pub(crate) cfl: f64,
-    /// Bulk viscosity in units of `rho0 c l0` (-).
-    pub(crate) sound_damping: f64,
     /// Strength of the artificial viscosity.
     pub(crate) alpha: f64,
     /// Parts of the particle shifting in a step, 0 for none.
@@ -74,20 +80,33 @@ pub(crate) fn sound_speed(settings: &Settings) -> f64 {
 }
 
 /// Builds the scene: reservoir full of water at rest, gate straight, everything let go at `t = 0`.
-pub(crate) fn build<T: Real>(settings: &Settings, parallel: &Parallel) -> Result<GateScene<T>, Failure> {
-    let fluid = water(settings)?;
+pub(crate) fn build<T: Real, K: Kernel<T>>(
+    settings: &Settings,
+    weight: K,
+    parallel: &Parallel,
+) -> Result<GateScene<T, K>, Failure> {
+    let fluid = water(settings, weight)?;
     let gate = gate::<T>(settings, parallel)?;
     let mut scene = Scene::new(fluid);
+    scene.min_substeps = settings.min_substeps;
     scene.add_structure(parallel, Box::new(ElasticBody::new(gate)), Slip::Free)?;
     Ok(scene)
 }
 
-fn water<T: Real>(settings: &Settings) -> Result<Fluid<T, 2, Rational, ArtificialViscosity<T>>, Failure> {
+fn water<T: Real, K: Kernel<T>>(
+    settings: &Settings,
+    weight: K,
+) -> Result<Fluid<T, 2, K, ArtificialViscosity<T>>, Failure> {
     let l0 = settings.spacing;
     let mut config = FluidConfig::water(T::of(l0), T::of(sound_speed(settings)));
     config.gravity = Vector::from([T::zero(), T::of(-GRAVITY)]);
+    config.radius_ratio = T::of(settings.radius);
     config.cfl = T::of(settings.cfl);
-    config.sound_damping = T::of(settings.sound_damping);
+    config.diffusion = match settings.diffusion {
+        delta if delta > 0.0 => Diffusion::Filter { delta: T::of(delta) },
+        _ => Diffusion::None,
+    };
+    config.collisions = settings.collisions.then(Dpc::default);
     config.pressure_form = settings.pressure_form;
     config.shifting =
         (settings.shifting > 0).then(|| Shifting { iterations: settings.shifting, ..Shifting::default() });
@@ -103,7 +122,7 @@ fn water<T: Real>(settings: &Settings) -> Result<Fluid<T, 2, Rational, Artificia
     let c = config.sound_speed;
     let alpha = T::of(settings.alpha);
     let viscosity = |reference: &_| ArtificialViscosity::new::<2>(alpha, c, reference);
-    Ok(Fluid::new(config, Rational, viscosity, Open, particles, boundary)?)
+    Ok(Fluid::new(config, weight, viscosity, Open, particles, boundary)?)
 }
 
 /// Length of the floor behind the gate \[m\]: the jet leaves with less than twice the speed of free fall from the surface.
@@ -112,11 +131,16 @@ pub(crate) fn run_out(settings: &Settings) -> f64 {
     run_out.max(0.05)
 }
 
+/// Thickness of the walls \[m\]: whole layers of points, at least as deep as the effective radius.
+pub(crate) fn wall_depth(settings: &Settings) -> f64 {
+    settings.radius.ceil() * settings.spacing
+}
+
 /// Left wall, floor on both sides of the gate, and the wall the gate hangs from: layers of points
 /// as deep as the effective radius, the first half a spacing behind the surface.
 fn walls<T: Real>(settings: &Settings) -> Vec<Vector<T, 2>> {
     let l0 = settings.spacing;
-    let depth = 3.0 * l0;
+    let depth = wall_depth(settings);
     let right = RESERVOIR_WIDTH + GATE_THICKNESS + run_out(settings);
     let thickness = GATE_THICKNESS.max(depth);
     let mut points = fill([-depth, 0.0], [0.0, WALL_HEIGHT], l0);

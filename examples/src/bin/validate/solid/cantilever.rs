@@ -9,6 +9,7 @@ use mps_examples::solid::plate::{
 use mps_examples::{Failure, Watch, record};
 use mps_io::CurvePlot;
 use mps_neighbors::Parallel;
+use mps_solid::SolidConfig;
 use mps_solid::materials::CorotationalHooke;
 
 pub(crate) struct Cantilever;
@@ -32,7 +33,8 @@ impl Case for Cantilever {
     }
 
     fn run(&self, n: usize, pace: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {
-        let (solid, tip) = plate(n, CorotationalHooke::<f64>::from(moduli()?), parallel)?;
+        let (solid, tip) =
+            plate(n, CorotationalHooke::<f64>::from(moduli()?), SolidConfig::default(), parallel)?;
         let period = PERIOD_EXTRAPOLATED * unit_of_time();
         let mut motion = Motion::new(solid, tip, mps_kernel::Vector::zeros(), period / 400.0, parallel)?;
         record(&mut motion, pace.choose(1.6, 3.2) * period, &Watch::nobody(), &mut 0.0)?;

@@ -1,0 +1,118 @@
+//! The runs as a table for people (Markdown), for spreadsheets (CSV) and for programs (JSON).
+
+use crate::front::front;
+use crate::judge::Row;
+use crate::machine::{machine, today};
+use crate::recommend::recommend;
+use crate::sweep::Sweep;
+use mps_examples::Failure;
+use std::fmt::Write;
+use std::path::Path;
+
+/// Writes `trade.md`, `trade.csv` and `trade.json`.
+pub(crate) fn write(sweep: &Sweep, dir: &Path, rows: &[Row], command: &str) -> Result<(), Failure> {
+    std::fs::write(dir.join("trade.csv"), csv(sweep, rows))?;
+    let json = serde_json::json!({
+        "title": sweep.title,
+        "program": sweep.program,
+        "date": today(),
+        "machine": machine(),
+        "command": command,
+        "counts": sweep.counts.iter().map(|count| &count.metric).collect::<Vec<_>>(),
+        "also": sweep.also,
+        "rows": rows,
+        "front": front(rows),
+        "recommendations": recommend(sweep, rows),
+    });
+    std::fs::write(dir.join("trade.json"), format!("{json:#}\n"))?;
+    let text = format!(
+        "# {}\n\n{}, {}, `{command}`\n\n{}\n{}",
+        sweep.title,
+        today(),
+        machine(),
+        markdown(sweep, rows),
+        recommendations(sweep, rows)
+    );
+    std::fs::write(dir.join("trade.md"), text)?;
+    Ok(())
+}
+
+/// The table, in the order of the costs; runs of the Pareto set are marked, failed ones last.
+fn markdown(sweep: &Sweep, rows: &[Row]) -> String {
+    let counted = sweep.counts.iter().map(|count| format!("{} | ", count.metric)).collect::<String>();
+    let also = sweep.also.iter().map(|name| format!("{name} | ")).collect::<String>();
+    let mut text =
+        format!("| settings | processor (s) | memory (MB) | {counted}{also}error/tolerance | best |\n");
+    // Writing into a String cannot fail.
+    let _ = writeln!(text, "|---|---|---|{}---|---|", "---|".repeat(sweep.counts.len() + sweep.also.len()));
+    let best = front(rows);
+    let mut order: Vec<usize> = (0..rows.len()).collect();
+    order.sort_by(|a, b| {
+        let failed = |k: &usize| rows[*k].failure.is_some();
+        failed(a).cmp(&failed(b)).then(rows[*a].cost_seconds.total_cmp(&rows[*b].cost_seconds))
+    });
+    for k in order {
+        let row = &rows[k];
+        let memory =
+            row.peak_memory_bytes.map_or("-".to_owned(), |bytes| format!("{:.1}", bytes as f64 / 1e6));
+        let _ = write!(text, "| {} | {:.2} | {memory} | ", row.label, row.cost_seconds);
+        if let Some(failure) = &row.failure {
+            let empty = "- | ".repeat(sweep.counts.len() + sweep.also.len());
+            let _ = writeln!(text, "{empty}failed: {} | |", failure.replace('|', "/"));
+            continue;
+        }
+        for error in &row.errors {
+            let _ = write!(text, "{:+.2} % | ", 100.0 * error);
+        }
+        for value in &row.also {
+            let _ = write!(text, "{} | ", value.map_or("-".to_owned(), |value| format!("{value:.3e}")));
+        }
+        let error = row.error_over_tolerance.map_or("-".to_owned(), |error| format!("{error:.2}"));
+        let _ = writeln!(text, "{error} | {} |", if best.contains(&k) { "yes" } else { "" });
+    }
+    text
+}
+
+/// A sentence for each aim.
+pub(crate) fn recommendations(sweep: &Sweep, rows: &[Row]) -> String {
+    let sentence =
+        |recommendation: &crate::recommend::Recommendation| match recommendation.row.map(|k| &rows[k]) {
+            Some(row) => format!("- {}: {}, {:.2} s\n", recommendation.aim, row.label, row.cost_seconds),
+            None => format!("- {}: none of these runs\n", recommendation.aim),
+        };
+    recommend(sweep, rows).iter().map(sentence).collect()
+}
+
+fn csv(sweep: &Sweep, rows: &[Row]) -> String {
+    let mut text = "settings,processor [s],wall [s],memory [B],steps [-]".to_owned();
+    let names = sweep.counts.iter().map(|count| format!("error of {} [-]", count.metric));
+    for name in names.chain(sweep.also.iter().cloned()).chain(["error over tolerance [-]".to_owned()]) {
+        let _ = write!(text, ",{name}");
+    }
+    text.push_str(",best,failure\n");
+    let best = front(rows);
+    for (k, row) in rows.iter().enumerate() {
+        let memory = row.peak_memory_bytes.map_or(String::new(), |bytes| bytes.to_string());
+        let (cost, wall) = (row.cost_seconds, row.wall_seconds);
+        let _ = write!(text, "{},{cost},{wall},{memory},{}", quoted(&row.label), row.steps);
+        for k in 0..sweep.counts.len() {
+            let _ = write!(text, ",{}", number(row.errors.get(k).copied()));
+        }
+        for value in row.also.iter().copied().chain([row.error_over_tolerance]) {
+            let _ = write!(text, ",{}", number(value));
+        }
+        let failure = row.failure.as_deref().unwrap_or_default();
+        let _ = writeln!(text, ",{},{}", u8::from(best.contains(&k)), quoted(failure));
+    }
+    text
+}
+
+/// An empty field for what is not there.
+fn number(value: Option<f64>) -> String {
+    value.map_or(String::new(), |value| value.to_string())
+}
+
+/// A field of text as RFC 4180 has it.
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('"', "\"\"").replace('\n', " "))
+}

@@ -1,0 +1,54 @@
+//! The presets keep the errors that `docs/trade.md` promises of them. Those that take seconds run on request:
+//! `cargo test -p mps-examples --test presets -- --ignored`.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
+
+mod common;
+
+use common::{completed, words};
+use std::process::Command;
+
+const PLATE: &str = env!("CARGO_BIN_EXE_cantilever");
+const GATE: &str = env!("CARGO_BIN_EXE_elastic-gate");
+const DAM: &str = env!("CARGO_BIN_EXE_dam-break");
+
+/// Runs a preset and holds the errors of its results against what is promised.
+fn keeps(program: &str, name: &str, preset: &str, promised: &[(&str, f64)]) {
+    let summary = completed(program, &format!("preset-{name}-{preset}"), &["--preset", preset]);
+    for (metric, most) in promised {
+        let error = summary.metrics[*metric].error.unwrap();
+        assert!(error.abs() <= *most, "{name} {preset}: {metric} errs by {error:+.4}, promised is {most}");
+    }
+}
+
+#[test]
+fn the_cheap_presets_of_the_plate_keep_their_promises() {
+    keeps(PLATE, "cantilever", "fast", &[("period", 0.01), ("amplitude", 0.01)]);
+    keeps(PLATE, "cantilever", "balanced", &[("period", 0.005), ("amplitude", 0.005)]);
+}
+
+#[test]
+#[ignore = "takes some seconds"]
+fn the_fast_gate_keeps_its_promises() {
+    keeps(GATE, "elastic-gate", "fast", &[("gate_x_max", 0.05), ("gate_y_max", 0.15)]);
+}
+
+#[test]
+#[ignore = "takes some seconds"]
+fn the_fast_dam_break_keeps_its_promises() {
+    let promised =
+        [("arrival_sensor1", 0.04), ("peak_sensor1", 0.6), ("front_rms", 0.1), ("large_sensor", 0.2)];
+    keeps(DAM, "dam-break", "fast", &promised);
+}
+
+/// A preset is the settings it stands for, and what is given beside it counts.
+#[test]
+fn a_preset_is_its_settings() {
+    let printed = |arguments: &[&str]| {
+        let output = Command::new(GATE).args(arguments).arg("--print-scene").output().unwrap();
+        assert!(output.status.success(), "{}", words(&output.stderr));
+        words(&output.stdout)
+    };
+    let spelled_out = ["--spacing", "2.5e-3", "--cfl", "0.8", "--sound-ratio", "7"];
+    assert_eq!(printed(&["--preset", "fast", "--sound-ratio", "7"]), printed(&spelled_out));
+    assert_ne!(printed(&["--preset", "fast"]), printed(&["--preset", "accurate"]));
+}
