@@ -79,10 +79,6 @@ pub struct FluidConfig<T: Real, const D: usize> {
     pub gravity: Vector<T, D>,
     /// Diffusion of the density. Default [`Diffusion::Filter`] with 0.5.
     pub diffusion: Diffusion<T>,
-    /// Bulk viscosity `zeta` in units of `rho0 c l0` \[-\]: every particle's pressure is lower by `zeta div u`. Sound is damped, at
-    /// the rate `zeta k^2/(2 rho0)` for the wave number `k`, and a flow without divergence is left alone. It vanishes with the spacing. Default
-    /// zero. (The acoustic damper of Sun et al. 2023; not in the paper.)
-    pub sound_damping: T,
     /// Courant number of eq. 46. Default 0.5; the paper's 0.1 costs five times as much, see docs.
     pub cfl: T,
     /// Treatment of negative pressure. Default [`Tension::Clip`].
@@ -116,7 +112,6 @@ impl<T: Real, const D: usize> FluidConfig<T, D> {
             sound_speed,
             gravity: Vector::zeros(),
             diffusion: Diffusion::Filter { delta: T::of(0.5) },
-            sound_damping: T::zero(),
             cfl: T::of(0.5),
             tension: Tension::Clip,
             background_pressure: T::zero(),
@@ -131,11 +126,6 @@ impl<T: Real, const D: usize> FluidConfig<T, D> {
     /// The equation of state.
     pub fn equation_of_state(&self) -> Tait<T> {
         Tait::new(self.density, self.sound_speed).with_level(self.background_pressure)
-    }
-
-    /// Bulk viscosity `zeta` \[Pa s\].
-    pub fn bulk_viscosity(&self) -> T {
-        self.sound_damping * self.density * self.sound_speed * self.spacing
     }
 
     /// Effective radius `re` \[m\].
@@ -178,13 +168,6 @@ impl<T: Real, const D: usize> FluidConfig<T, D> {
             0.0,
             2.0,
             "the coefficient delta of the density diffusion",
-        )?;
-        check(
-            "sound_damping",
-            self.sound_damping,
-            0.0,
-            2.0,
-            "the bulk viscosity over rho0 c l0, usually 0 to 0.5",
         )?;
         check("cfl", self.cfl, tiny, 2.0, "the Courant number, usually 0.1 to 1")?;
         check("skin_ratio", self.skin_ratio, 0.0, 3.0, "the reach of the neighbour rows beyond re, over l0")?;

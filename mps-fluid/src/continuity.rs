@@ -50,7 +50,6 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
     fn sweep_density_with<const DIFFUSION: u8, const CORRECTED: bool>(&mut self, parallel: &Parallel, dt: T) {
         let mut rate = core::mem::take(&mut self.rates.density_rate);
-        let mut divergence = core::mem::take(&mut self.particles.divergence);
         let factor = self.reference.gradient_factor::<D>();
         let sweep = Continuity::<_, D, _, _, DIFFUSION, CORRECTED> {
             neighbors: self.view(&self.search.fluid),
@@ -64,9 +63,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             diffusion: self.diffusivity(dt),
             slope: self.hydrostatic_slope(),
         };
-        parallel.sweep((rate.as_mut_slice(), divergence.as_mut_slice()), &sweep);
+        parallel.sweep(rate.as_mut_slice(), &sweep);
         self.rates.density_rate = rate;
-        self.particles.divergence = divergence;
     }
 }
 
@@ -131,14 +129,14 @@ where
     }
 }
 
-impl<'b, T: Real, const D: usize, K, P, const DIFFUSION: u8, const CORRECTED: bool>
-    Sweep<(&'b mut [T], &'b mut [T])> for Continuity<'_, T, D, K, P, DIFFUSION, CORRECTED>
+impl<'b, T: Real, const D: usize, K, P, const DIFFUSION: u8, const CORRECTED: bool> Sweep<&'b mut [T]>
+    for Continuity<'_, T, D, K, P, DIFFUSION, CORRECTED>
 where
     K: Kernel<T>,
     P: Domain<T, D>,
 {
     #[inline(always)]
-    fn visit<S: Simd>(&self, simd: S, i: usize, (rate, divergence): (&'b mut T, &'b mut T)) {
+    fn visit<S: Simd>(&self, simd: S, i: usize, rate: &'b mut T) {
         let flow = self.flow;
         let own = flow[i];
         let zero = T::Lanes::splat(simd, T::zero());
@@ -161,8 +159,6 @@ where
         if !self.boundary.is_empty() {
             inflow += self.through_walls(i, &own);
         }
-        let inflow = inflow * self.factor;
-        *divergence = -inflow / own.density;
-        *rate = inflow + own.density * self.diffusion * filtered.sum();
+        *rate = inflow * self.factor + own.density * self.diffusion * filtered.sum();
     }
 }

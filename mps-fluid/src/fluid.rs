@@ -140,7 +140,6 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             ("velocity", particles.velocity.len()),
             ("density", particles.density.len()),
             ("pressure", particles.pressure.len()),
-            ("divergence", particles.divergence.len()),
             ("id", particles.id.len()),
         ] {
             if found != len {
@@ -243,7 +242,6 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         });
         self.book_step(parallel, dt);
         self.sweep_density(parallel, dt);
-        self.book_damping(parallel, dt);
         self.hold_densities(parallel, dt);
         let FluidParticles { position, velocity, density, .. } = &mut self.particles;
         let (velocity, rate) = (&*velocity, &self.rates.density_rate);
@@ -276,28 +274,15 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
     fn evaluate_pressure(&mut self, parallel: &Parallel) {
         let (eos, clip) = (self.eos, self.config.tension == Tension::Clip);
-        let bulk = self.config.bulk_viscosity();
-        let FluidParticles { pressure, density, velocity, divergence, .. } = &mut self.particles;
-        let (density, velocity, divergence) = (&*density, &*velocity, &*divergence);
+        let FluidParticles { pressure, density, velocity, .. } = &mut self.particles;
+        let (density, velocity) = (&*density, &*velocity);
         parallel.update((pressure.as_mut_slice(), self.rates.state.as_mut_slice()), |i, (p, state)| {
-            *p = eos.pressure(density[i]) - bulk * divergence[i];
+            *p = eos.pressure(density[i]);
             if clip {
                 *p = p.max(T::zero());
             }
             *state = State { velocity: velocity[i], density: density[i], share: *p / density[i] };
         });
-    }
-
-    /// Pressure \[Pa\] of particle `i` at its present density, tension not clipped.
-    pub(crate) fn unclipped_pressure(&self, i: usize) -> T {
-        let FluidParticles { density, divergence, .. } = &self.particles;
-        self.eos.pressure(density[i]) - self.config.bulk_viscosity() * divergence[i]
-    }
-
-    /// Pressure \[Pa\] of particle `i` by the equation of state alone.
-    pub(crate) fn elastic_pressure(&self, i: usize) -> T {
-        let pressure = self.eos.pressure(self.particles.density[i]);
-        if self.config.tension == Tension::Clip { pressure.max(T::zero()) } else { pressure }
     }
 
     /// Neighbourhood of fluid particles among themselves.

@@ -14,10 +14,8 @@ pub struct FluidParticles<T: Real, const D: usize> {
     pub velocity: Vec<Vector<T, D>>,
     /// Particle number density over its reference value, `n/n0` \[-\].
     pub density: Vec<T>,
-    /// Pressure \[Pa\], from the equation of state, less what [`sound_damping`](crate::FluidConfig::sound_damping) takes.
+    /// Pressure \[Pa\], from the equation of state.
     pub pressure: Vec<T>,
-    /// Divergence of the velocity \[1/s\] (eq. 23) at the end of the last step.
-    pub divergence: Vec<T>,
     /// Number of the particle in the order it was created in.
     pub id: Vec<u32>,
 }
@@ -31,7 +29,6 @@ impl<T: Real, const D: usize> FluidParticles<T, D> {
             velocity: vec![Vector::zeros(); len],
             density: vec![T::one(); len],
             pressure: vec![T::zero(); len],
-            divergence: vec![T::zero(); len],
             id: (0..len as u32).collect(),
         }
     }
@@ -49,7 +46,6 @@ impl<T: Real, const D: usize> FluidParticles<T, D> {
         self.velocity.push(velocity);
         self.density.push(density);
         self.pressure.push(pressure);
-        self.divergence.push(T::zero());
         self.id.push(id);
     }
 }
@@ -64,7 +60,6 @@ impl<T: Real, const D: usize> ParticleStore for FluidParticles<T, D> {
         visitor.visit("velocity", &mut self.velocity);
         visitor.visit("density", &mut self.density);
         visitor.visit("pressure", &mut self.pressure);
-        visitor.visit("divergence", &mut self.divergence);
         visitor.visit("id", &mut self.id);
     }
 }

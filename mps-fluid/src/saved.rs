@@ -97,20 +97,11 @@ impl<T: Real, const D: usize> OpenBoundaries<T, D> {
 impl<T: Real, const D: usize> Books<T, D> {
     fn transfer(&mut self, transfer: &mut Transfer<'_>) {
         // Of the present step: accelerations from outside that have not acted yet, and working space.
-        let Self { budget, field, damping: _, power: _ } = self;
-        let EnergyBudget {
-            viscosity,
-            diffusion,
-            sound,
-            collisions,
-            shifting,
-            relaxation,
-            boundary,
-            field: outside,
-        } = budget;
+        let Self { budget, field, power: _ } = self;
+        let EnergyBudget { viscosity, diffusion, collisions, shifting, relaxation, boundary, field: outside } =
+            budget;
         transfer.value("viscosity", viscosity);
         transfer.value("diffusion", diffusion);
-        transfer.value("sound", sound);
         transfer.value("collisions", collisions);
         transfer.value("shifting", shifting);
         transfer.value("relaxation", relaxation);

@@ -13,8 +13,6 @@ pub enum Limit {
     Sound,
     /// Viscosity, `l0^2/(8 nu)`.
     Viscosity,
-    /// Bulk viscosity, `l0/(2 alpha c)`.
-    Damping,
     /// The largest acceleration, `sqrt(l0/a_max)`.
     Acceleration,
 }
@@ -25,7 +23,6 @@ impl Limit {
         match self {
             Self::Sound => "sound",
             Self::Viscosity => "viscosity",
-            Self::Damping => "damping of sound",
             Self::Acceleration => "acceleration",
         }
     }
@@ -38,8 +35,6 @@ pub struct StepLimits<T> {
     pub sound: T,
     /// By viscosity.
     pub viscosity: T,
-    /// By the damping of sound.
-    pub damping: T,
     /// By the largest acceleration.
     pub acceleration: T,
 }
@@ -48,11 +43,7 @@ impl<T: Real> StepLimits<T> {
     /// The limit that acts, and the length of the step \[s\].
     pub fn shortest(&self) -> (Limit, T) {
         let mut shortest = (Limit::Sound, self.sound);
-        for (limit, dt) in [
-            (Limit::Viscosity, self.viscosity),
-            (Limit::Damping, self.damping),
-            (Limit::Acceleration, self.acceleration),
-        ] {
+        for (limit, dt) in [(Limit::Viscosity, self.viscosity), (Limit::Acceleration, self.acceleration)] {
             if dt < shortest.1 {
                 shortest = (limit, dt);
             }
@@ -65,7 +56,7 @@ impl<T: Real> StepLimits<T> {
 const ESCAPED: f64 = 20.0;
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
-    /// `dt = C min(l0/(v_max + c), l0^2/nu)` (eq. 46), `rho0 l0^2/(2 zeta)` for the bulk viscosity, and `sqrt(l0/a_max)` for sudden forces.
+    /// `dt = C min(l0/(v_max + c), l0^2/nu)` (eq. 46), and `sqrt(l0/a_max)` for sudden forces.
     pub(crate) fn stable_step(&mut self, parallel: &Parallel) -> Result<T, FluidError> {
         let (u, a) = (&self.particles.velocity, &self.rates.acceleration);
         // Keeps a NaN once it has met one, so that it cannot hide behind a comparison.
@@ -94,16 +85,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let nu = self.viscosity.kinematic();
         // 1/8 keeps explicit diffusion on this stencil inside its stability limit.
         let viscosity = if nu > T::zero() { l0 * l0 * T::of(0.125) / nu } else { none };
-        let alpha = self.config.sound_damping;
-        let damping = if alpha > T::zero() { l0 / (T::of(2.0) * alpha * c) } else { none };
         let acceleration = if a > T::zero() { (l0 / a).sqrt() } else { none };
         let cfl = self.config.cfl;
-        StepLimits {
-            sound: l0 / (v + c) * cfl,
-            viscosity: viscosity * cfl,
-            damping: damping * cfl,
-            acceleration: acceleration * cfl,
-        }
+        StepLimits { sound: l0 / (v + c) * cfl, viscosity: viscosity * cfl, acceleration: acceleration * cfl }
     }
 
     /// What the length of the last step that has begun followed from.

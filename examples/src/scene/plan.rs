@@ -111,7 +111,6 @@ fn physics(text: &mut String, scene: &SceneFile) {
         say(numerics.diffusion != Diffusion::None, "density diffusion");
         say(numerics.collisions, "collisions (DPC)");
         say(numerics.shifting > 0, "shifting (icPS)");
-        say(numerics.sound_damping > 0.0, "damping of sound");
         say(numerics.background_pressure > 0.0, "background pressure");
         say(numerics.pressure_form == PressureForm::Corrected, "corrected sums");
         say(numerics.density_relaxation > 0.0, "density relaxation");

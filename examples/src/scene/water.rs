@@ -32,7 +32,6 @@ pub(super) fn config<T: Real>(fluid: &Fluid, gravity: &[f64]) -> FluidConfig<T, 
             Diffusion::Hydrostatic => physics::Diffusion::Hydrostatic,
         },
         cfl: T::of(numerics.cfl),
-        sound_damping: T::of(numerics.sound_damping),
         tension: match numerics.tension {
             Tension::Clip => physics::Tension::Clip,
             Tension::Keep => physics::Tension::Keep,

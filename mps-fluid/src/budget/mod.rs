@@ -2,7 +2,7 @@
 //!
 //! Between two moments the energy of the fluid (kinetic, potential, compression) changes by
 //!
-//! `viscosity + diffusion + sound + collisions + shifting + relaxation + boundary + field`
+//! `viscosity + diffusion + collisions + shifting + relaxation + boundary + field`
 //!
 //! and by what the time stepping makes of it, the only part that is not measured but left over. Each work
 //! is evaluated with the sums of the step itself: a force with the mean of the velocities before and after it,
@@ -15,7 +15,7 @@
 mod powers;
 
 use crate::terms::Viscosity;
-use crate::{Fluid, FluidError, FluidParticles, regularize};
+use crate::{Fluid, FluidError, regularize};
 use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::{Domain, Parallel};
 use powers::Powers;
@@ -28,8 +28,6 @@ pub struct EnergyBudget<T> {
     pub viscosity: T,
     /// Diffusion of the density, through the energy of compression.
     pub diffusion: T,
-    /// Bulk viscosity ([`FluidConfig::sound_damping`](crate::FluidConfig::sound_damping)); negative.
-    pub sound: T,
     /// Pairwise collisions; negative.
     pub collisions: T,
     /// Shifting, through the height of the particles.
@@ -47,7 +45,7 @@ impl<T: Real> EnergyBudget<T> {
     /// Sum of the parts \[J\].
     pub fn total(&self) -> T {
         let regularised = self.collisions + self.shifting + self.relaxation;
-        self.viscosity + self.diffusion + self.sound + regularised + self.boundary + self.field
+        self.viscosity + self.diffusion + regularised + self.boundary + self.field
     }
 }
 
@@ -57,8 +55,6 @@ pub(crate) struct Books<T: Real, const D: usize> {
     pub(crate) budget: EnergyBudget<T>,
     /// Accelerations from outside in this step \[m/s^2\].
     pub(crate) field: Vec<Vector<T, D>>,
-    /// Of each particle in this step: the part of its pressure that is bulk viscosity \[Pa\], and the divergence before \[1/s\]; empty without.
-    pub(crate) damping: Vec<[T; 2]>,
     /// Of each particle in this step: see [`Powers`].
     pub(crate) power: Vec<[T; 4]>,
 }
@@ -153,32 +149,6 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         books.budget.boundary += (boundary * m + handed_over) * dt;
         books.budget.field += outside * m * dt;
         books.field.clear();
-        self.remember_damping(parallel, &mut books);
         self.books = Some(books);
-    }
-
-    /// Remembers which part of the pressures is bulk viscosity, for [`book_damping`](Self::book_damping).
-    fn remember_damping(&self, parallel: &Parallel, books: &mut Books<T, D>) {
-        if self.config.sound_damping <= T::zero() {
-            return;
-        }
-        let FluidParticles { pressure, divergence, .. } = &self.particles;
-        books.damping.resize(pressure.len(), [T::zero(); 2]);
-        parallel.update(books.damping.as_mut_slice(), |i, damping| {
-            *damping = [pressure[i] - self.elastic_pressure(i), divergence[i]];
-        });
-    }
-
-    /// Books what the bulk viscosity has taken, when the divergence of the new velocities is known: `q div u` of the mean velocities.
-    pub(crate) fn book_damping(&mut self, parallel: &Parallel, dt: T) {
-        let bulk = self.config.bulk_viscosity();
-        let Some(books) = self.books.as_mut().filter(|_| bulk > T::zero()) else { return };
-        let (damping, after) = (&books.damping, &self.particles.divergence);
-        let power = |i: usize| {
-            let [q, before] = damping[i];
-            q * T::of(0.5) * (before + after[i])
-        };
-        let taken = parallel.fold(damping.len(), T::zero(), &power, &|a, b| a + b);
-        books.budget.sound += taken * self.config.particle_volume() * dt;
     }
 }

@@ -57,7 +57,7 @@ where
         let (shear, wall) = if walls { fluid.work_of_boundary(i, &mean) } else { (T::zero(), T::zero()) };
         let field = self.field.get(i).map_or(T::zero(), |a| a.dot(&mean));
         // The p/n of the stored energy, times n times the rate.
-        let diffusion = fluid.elastic_pressure(i) * self.diffusivity * filtered.sum();
+        let diffusion = fluid.particles.pressure[i] * self.diffusivity * filtered.sum();
         *power = [drag.dot(&mean) + shear, diffusion, wall, field];
     }
 }

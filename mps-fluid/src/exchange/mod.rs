@@ -19,6 +19,7 @@
 mod spring;
 
 use crate::boundary::Shear;
+use crate::eos::EquationOfState;
 use crate::terms::Viscosity;
 use crate::{Fluid, Push, Tension};
 use mps_kernel::{Kernel, Neighborhood, Pair, Real, Tensor, Vector};
@@ -105,7 +106,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                 exchange.place[i] = exchange.wetted.len() as u32;
                 exchange.wetted.push(i as u32);
                 exchange.wetted_start.push(before as u32);
-                exchange.raw.push(self.unclipped_pressure(i));
+                exchange.raw.push(self.eos.pressure(self.particles.density[i]));
                 let links = &exchange.wetted_links[before..];
                 exchange.reach.push(links.iter().fold(T::zero(), |size, link| size + link.vector.norm()));
             }

@@ -42,11 +42,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     pub(crate) fn hold_densities(&mut self, parallel: &Parallel, dt: T) {
         let Some(open) = &self.open else { return };
         let (position, density) = (&self.particles.position, &self.particles.density);
-        let rates = (self.rates.density_rate.as_mut_slice(), self.particles.divergence.as_mut_slice());
-        parallel.update(rates, |i, (rate, divergence)| {
+        parallel.update(self.rates.density_rate.as_mut_slice(), |i, rate| {
             if let Some(n) = open.held(&position[i]) {
                 *rate = (n - density[i]) / dt;
-                *divergence = T::zero();
             }
         });
     }

@@ -30,7 +30,6 @@ mod shifting;
 mod sliding;
 mod slip;
 mod smoothing;
-mod sound;
 mod surface_pressure;
 mod wall_consistency;
 mod walls;

@@ -126,8 +126,6 @@ pub struct Numerics {
     pub shifting: u32,
     /// Courant number (-)
     pub cfl: f64,
-    /// Bulk viscosity in units of density, sound speed and spacing (-), 0 to 0.5: damps sound and leaves flows without divergence alone
-    pub sound_damping: f64,
     /// What becomes of pressures below zero
     pub tension: Tension,
     /// Pressure at reference density (Pa): 0 with a free surface, for fluid that fills its domain a level above the
@@ -149,7 +147,6 @@ impl Default for Numerics {
             collisions: true,
             shifting: 0,
             cfl: 0.5,
-            sound_damping: 0.0,
             tension: Tension::Clip,
             background_pressure: 0.0,
             pressure_form: PressureForm::Plain,

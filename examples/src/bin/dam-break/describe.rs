@@ -64,7 +64,6 @@ fn fluid(options: &Options, settings: &Settings) -> Fluid {
         collisions: settings.collisions,
         shifting: settings.shifting,
         cfl: settings.cfl,
-        sound_damping: settings.sound_damping,
         tension: match settings.tension {
             mps_fluid::Tension::Clip => Tension::Clip,
             mps_fluid::Tension::Keep => Tension::Keep,

@@ -34,9 +34,6 @@ pub(crate) struct Options {
     /// Courant number
     #[arg(long, value_name = "C", default_value_t = 0.5)]
     pub(crate) cfl: f64,
-    /// Bulk viscosity in units of density, sound speed and spacing: damps sound
-    #[arg(long, value_name = "Z", default_value_t = 0.0)]
-    pub(crate) sound_damping: f64,
     /// Strength of the density diffusion; 0 switches it off
     #[arg(long, value_name = "DELTA", default_value_t = 0.5)]
     pub(crate) diffusion: f64,
@@ -142,12 +139,6 @@ impl Options {
             "give a Courant number between 0 and 2, e.g. 0.5",
         )?;
         Refused::unless(
-            (0.0..=2.0).contains(&self.sound_damping),
-            "--sound-damping",
-            self.sound_damping,
-            "give a strength between 0 and 2, e.g. 0.2",
-        )?;
-        Refused::unless(
             (0.0..=2.0).contains(&self.diffusion),
             "--diffusion",
             self.diffusion,
@@ -173,7 +164,6 @@ impl Options {
             release: self.release,
             sound_ratio: self.sound_ratio,
             cfl: self.cfl,
-            sound_damping: self.sound_damping,
             diffusion: if self.hydrostatic_diffusion {
                 Smoothing::Hydrostatic
             } else {

@@ -65,7 +65,6 @@ pub(crate) fn summary<T: Real, K: Kernel<T>>(
     summary.set("release", release);
     summary.set("sound_speed_m_s", sound_speed(settings));
     summary.set("cfl", settings.cfl);
-    summary.set("sound_damping", settings.sound_damping);
     summary.set("density_diffusion_form", fluid.config().diffusion.name());
     summary.set("density_diffusion", fluid.config().diffusion.delta().to_double());
     summary.set("artificial_viscosity", settings.alpha);

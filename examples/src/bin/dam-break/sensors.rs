@@ -94,7 +94,6 @@ mod tests {
                 release: Release::Lifted,
                 sound_ratio: 10.0,
                 cfl: 0.5,
-                sound_damping: 0.0,
                 diffusion: Smoothing::Filter(0.5),
                 alpha: 0.02,
                 tension: Tension::Clip,

@@ -70,8 +70,6 @@ pub(crate) struct Settings {
     pub(crate) sound_ratio: f64,
     /// Courant number.
     pub(crate) cfl: f64,
-    /// Bulk viscosity in units of `rho0 c l0` (-).
-    pub(crate) sound_damping: f64,
     /// Strength of the density diffusion.
     pub(crate) diffusion: Smoothing,
     /// Strength of the artificial viscosity.
@@ -107,7 +105,6 @@ impl<T: Real, K: Kernel<T>> DamBreak<T, K> {
         config.radius_ratio = T::of(settings.radius);
         config.gravity = Vector::from([T::zero(), T::of(-GRAVITY)]);
         config.cfl = T::of(settings.cfl);
-        config.sound_damping = T::of(settings.sound_damping);
         config.pressure_form = settings.pressure_form;
         config.diffusion = match settings.diffusion {
             Smoothing::Hydrostatic => Diffusion::Hydrostatic,

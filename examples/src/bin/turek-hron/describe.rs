@@ -96,7 +96,6 @@ fn fluid(settings: &Settings) -> Fluid {
         numerics: Numerics {
             radius: settings.radius,
             cfl: settings.cfl,
-            sound_damping: settings.sound_damping,
             tension: Tension::Keep,
             collisions: false,
             background_pressure: settings.level(),

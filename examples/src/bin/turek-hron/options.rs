@@ -35,9 +35,6 @@ pub(crate) struct Options {
     /// Courant number of the fluid
     #[arg(long, value_name = "C", default_value_t = 1.0)]
     pub(crate) cfl: f64,
-    /// Bulk viscosity in units of density, sound speed and spacing: damps sound
-    #[arg(long, value_name = "Z", default_value_t = 0.0)]
-    pub(crate) sound_damping: f64,
     /// Effective radius over spacing, at least 3
     #[arg(long, value_name = "RATIO", default_value_t = 3.0)]
     pub(crate) radius: f64,
@@ -98,12 +95,6 @@ impl Options {
             "give a Courant number between 0 and 2, e.g. 0.5",
         )?;
         Refused::unless(
-            (0.0..=2.0).contains(&self.sound_damping),
-            "--sound-damping",
-            self.sound_damping,
-            "give a strength between 0 and 2, e.g. 0.2",
-        )?;
-        Refused::unless(
             self.sound_ratio.is_finite() && self.sound_ratio >= 1.0,
             "--sound-ratio",
             self.sound_ratio,
@@ -137,7 +128,6 @@ impl Options {
             length: self.length,
             sound_ratio: self.sound_ratio,
             cfl: self.cfl,
-            sound_damping: self.sound_damping,
             radius: self.radius,
             level: self.level,
         })

@@ -64,7 +64,6 @@ pub(crate) fn summary<T: Real>(settings: &Settings, scene: &Channel<T>, observer
     summary.set("length_m", settings.length);
     summary.set("sound_speed_m_s", settings.sound_speed());
     summary.set("cfl", settings.cfl);
-    summary.set("sound_damping", settings.sound_damping);
     summary.set("pressure_level_pa", settings.level());
     summary.set("density_diffusion", config.diffusion.delta().to_double());
     summary.set("radius_ratio", config.radius_ratio.to_double());

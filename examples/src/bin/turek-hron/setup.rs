@@ -46,8 +46,6 @@ pub(crate) struct Settings {
     pub(crate) sound_ratio: f64,
     /// Courant number of the fluid.
     pub(crate) cfl: f64,
-    /// Bulk viscosity in units of `rho0 c l0` (-).
-    pub(crate) sound_damping: f64,
     /// Effective radius over spacing.
     pub(crate) radius: f64,
     /// Level of the pressure over `rho u^2` of the mean inflow.
@@ -104,7 +102,6 @@ fn water<T: Real>(
     let mut config = FluidConfig::water(T::of(settings.spacing), T::of(settings.sound_speed()));
     config.radius_ratio = T::of(settings.radius);
     config.cfl = T::of(settings.cfl);
-    config.sound_damping = T::of(settings.sound_damping);
     config.tension = Tension::Keep;
     config.collisions = None;
     let level = T::of(settings.level());

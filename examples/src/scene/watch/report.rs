@@ -123,7 +123,6 @@ pub(super) fn limits<T: Real>(step: &StepExplanation<T>) -> String {
     let rows = [
         row("sound", limits.sound, format!("fluid particle {fastest}, {} m/s", of(v))),
         row("viscosity", limits.viscosity, String::new()),
-        row("damping of sound", limits.damping, String::new()),
         row("acceleration", limits.acceleration, format!("fluid particle {driven}, {} m/s2", of(a))),
     ];
     table(&["limit", "step [s]", "by", ""], rows)

@@ -64,12 +64,6 @@ impl Checker<'_> {
             "give a Courant number from 0 to 2, usually 0.5",
         );
         self.within(
-            numerics.sound_damping,
-            [0.0, 2.0],
-            "fluid.numerics.sound_damping",
-            "give a bulk viscosity from 0 to 2, usually 0.2, or 0 for none",
-        );
-        self.within(
             f64::from(numerics.shifting),
             [0.0, 100.0],
             "fluid.numerics.shifting",
