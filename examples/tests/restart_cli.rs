@@ -152,22 +152,24 @@ fn kept_time(dir: &Path) -> Option<f64> {
     Some(f64::from_ne_bytes(time.bytes.as_slice().try_into().unwrap()))
 }
 
+/// Kills a run of a scene up to `kills` times, each after at most `longest` milliseconds, and lets it go on to its end. Returns how often it was alive to be killed.
+///
 /// With an interval that has always passed there is a checkpoint before every step, each before anything is written of its state: none of
 /// what has been written may be beyond it, and most kills hit a program that is writing one.
-#[test]
-fn a_run_that_is_killed_at_any_moment_loses_an_interval_at_most() {
+fn killed(name: &str, end: &str, kills: usize, longest: u64) -> usize {
     const ALWAYS: &str = "1e-9";
-    let scene = reservoirs("0.05");
-    let one = whole("killed-whole", &scene);
-    let dir = fresh("restart", "killed");
-    let (mut random, mut kept) = (7_u64, None);
-    for _ in 0..8 {
+    let scene = reservoirs(end);
+    let one = whole(&format!("{name}-whole"), &scene);
+    let dir = fresh("restart", name);
+    let (mut random, mut kept, mut alive) = (7_u64, None, 0);
+    for _ in 0..kills {
         let mut child = match kept {
             Some(_) => start(&["resume", dir.to_str().unwrap(), "--checkpoint", ALWAYS, "--threads", "2"]),
             None => begin(&scene, &dir, ALWAYS),
         };
         random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        std::thread::sleep(Duration::from_millis(100 + (random >> 33) % 900));
+        std::thread::sleep(Duration::from_millis(longest / 10 + (random >> 33) % (longest * 9 / 10)));
+        alive += usize::from(child.try_wait().unwrap().is_none());
         // SIGKILL; it may have come to its end before.
         let _ = child.kill();
         let said = words(&child.wait_with_output().unwrap().stderr);
@@ -185,6 +187,19 @@ fn a_run_that_is_killed_at_any_moment_loses_an_interval_at_most() {
     assert!(kept.unwrap() > 0.0, "it got somewhere between the kills");
     resumed(&dir, &[]);
     assert_same(&one, &dir);
+    alive
+}
+
+#[test]
+fn a_run_that_is_killed_at_any_moment_loses_an_interval_at_most() {
+    killed("killed", "0.05", 8, 1000);
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn two_hundred_kills_lose_nothing() {
+    let alive = killed("killed-often", "0.4", 250, 400);
+    assert!(alive >= 200, "killed {alive} times");
 }
 
 #[test]

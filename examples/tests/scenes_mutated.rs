@@ -34,8 +34,13 @@ fn replace_number(text: &str, which: usize, by: &str) -> String {
     format!("{}{by}{}", &text[..start], &text[end..])
 }
 
+/// `PROPTEST_CASES` if it is set.
+fn cases(usual: u32) -> u32 {
+    std::env::var("PROPTEST_CASES").map_or(usual, |cases| cases.parse().unwrap())
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 200, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: cases(200), ..ProptestConfig::default() })]
     #[test]
     fn a_scene_with_other_numbers_is_good_or_refused(
         scene in 0..SCENES.len(), changes in prop::collection::vec((0..60_usize, 0..NUMBERS.len()), 1..4)
