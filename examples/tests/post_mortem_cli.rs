@@ -83,9 +83,9 @@ fn report(dir: &Path) -> String {
     std::fs::read_to_string(dir.join("post-mortem/report.md")).unwrap()
 }
 
-/// The first line of what a run says, with every digit.
+/// The line of what a run says that tells the failure, with every digit.
 fn failure(said: &str) -> String {
-    said.lines().next().unwrap().to_owned()
+    said.lines().find(|line| line.starts_with("error: ")).unwrap().to_owned()
 }
 
 /// The failure of a run comes again from its post-mortem with every bit: the same words, the same last steps and terms, the same rows.

@@ -141,14 +141,15 @@ impl Guard {
         self.apply_pace(world)
     }
 
-    /// Pace and last steps, as they are kept while a failure is gone through again.
+    /// Pace, last steps and remarks, as they are kept while a failure is gone through again.
     pub(in crate::scene) fn memory(&self) -> Memory {
-        Memory { pace: self.pace, ring: self.ring.clone() }
+        Memory { pace: self.pace, ring: self.ring.clone(), passed: self.passed.clone() }
     }
 
     /// Brings them back.
     pub(in crate::scene) fn remember(&mut self, memory: Memory) {
-        (self.pace, self.ring) = (memory.pace, memory.ring);
+        let Memory { pace, ring, passed } = memory;
+        (self.pace, self.ring, self.passed) = (pace, ring, passed);
     }
 
     pub(in crate::scene) fn transfer(&mut self, transfer: &mut Transfer<'_>) {
@@ -167,8 +168,9 @@ pub(in crate::scene) struct Setbacks {
     passed: String,
 }
 
-/// Pace and last steps at a failure, which must outlast the state that is brought back to examine it.
+/// Pace, last steps and remarks at a failure, which must outlast the state that is brought back to examine it.
 pub(in crate::scene) struct Memory {
     pace: Pace,
     ring: Ring,
+    passed: String,
 }
