@@ -74,7 +74,7 @@ pub(crate) struct Options {
 /// What the presets stand for; their errors are in `docs/trade.md`, and held by `examples/tests/presets.rs`.
 pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
     match preset {
-        Preset::Fast => &[("spacing", "0.03"), ("cfl", "1")],
+        Preset::Fast => &[("spacing", "0.03"), ("cfl", "1"), ("sound-ratio", "5")],
         Preset::Balanced => &[("spacing", "0.02")],
         Preset::Accurate => &[("spacing", "0.01")],
     }

@@ -120,7 +120,13 @@ impl Material {
 /// What the presets stand for; their errors are in `docs/trade.md`, and held by `examples/tests/presets.rs`.
 pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
     match preset {
-        Preset::Fast => &[("spacing", "2.5e-3"), ("cfl", "0.8"), ("sound-ratio", "5")],
+        Preset::Fast => &[
+            ("spacing", "2.5e-3"),
+            ("radius", "2.5"),
+            ("cfl", "0.8"),
+            ("sound-ratio", "5"),
+            ("precision", "f32"),
+        ],
         Preset::Balanced => &[("spacing", "2.5e-3")],
         Preset::Accurate => &[("spacing", "1.25e-3")],
     }
