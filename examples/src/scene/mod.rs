@@ -12,13 +12,14 @@
 //! | `run`, `watched` | the run, with all that watches it |
 //! | `watch/*` | what a run is watched for, its post-mortem, and how it is tried again |
 //! | `keeper`, `resume` | its checkpoints, and how it goes on from one |
-//! | `plan` | what a run will cost |
+//! | `plan`, `disk` | what a run will cost, and whether there is room for it |
 //! | `table`, `plot`, `harmonics` | the probes of a run made before: its plots, and what oscillates in it |
 //! | `print` | the scene that a program describes instead of running it |
 
 mod bodies;
 mod clearance;
 mod diagnosis;
+mod disk;
 mod field_files;
 mod fields;
 mod fixed;
@@ -48,6 +49,7 @@ mod water_probes;
 mod world;
 
 pub use diagnosis::{Diagnosis, diagnose};
+pub use disk::short_of_disk;
 pub use fixed::FixedPoints;
 pub use harmonics::{Window, harmonics};
 pub(crate) use keeper::is_stopped;

@@ -1,6 +1,6 @@
 //! What a run will be and cost, measured by its first steps.
 
-use super::field_files::particle_bytes;
+use super::disk::{field_bytes, field_frames};
 use super::{Diagnosis, Layout, World};
 use crate::{Common, Failure, Precision};
 use mps_io::scene_file::{Diffusion, PressureForm, SceneFile, Viscosity, Weight};
@@ -176,14 +176,11 @@ fn limits<T: Real, K: Kernel<T>>(
 }
 
 fn cost(text: &mut String, scene: &SceneFile, layout: &Layout, measured: &Measured, threads: usize) {
-    let [_, _, interval, _] = scene.output.intervals(scene.end_time);
-    let fields = if interval > 0.0 { (scene.end_time / interval).floor() + 1.0 } else { 0.0 };
-    let [fluid, body] = particle_bytes(&scene.output).map(|bytes| bytes as f64);
-    let frame = layout.fluid_len() as f64 * fluid + layout.solids_len() as f64 * body;
     let _ = writeln!(
         text,
-        "fields         {fields:.0} frames, at most {:.1} MB before compression",
-        fields * frame * 1e-6
+        "fields         {:.0} frames, at most {:.1} MB before compression",
+        field_frames(scene),
+        field_bytes(scene, layout) * 1e-6
     );
     if let Some(bytes) = mps_io::peak_memory_bytes() {
         let _ = writeln!(text, "memory         {:.0} MB", bytes as f64 * 1e-6);

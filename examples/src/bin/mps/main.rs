@@ -1,7 +1,9 @@
 //! Runs scenes that are written down in files.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use mps_examples::scene::{Diagnosis, Drawing, Layout, Window, diagnose, harmonics, plan, plot, resume, run};
+use mps_examples::scene::{
+    Diagnosis, Drawing, Layout, Window, diagnose, harmonics, plan, plot, resume, run, short_of_disk,
+};
 use mps_examples::{Common, Failure, LogLevel, Precision, Refused, exit_code};
 use mps_io::scene_file::{self, OnFailure, Retry, SceneError, SceneFile};
 use mps_neighbors::Parallel;
@@ -180,12 +182,18 @@ fn main() -> ExitCode {
             if let Some(way) = on_failure {
                 scene.watch.on_failure = way.with_numbers_of(scene.watch.on_failure);
             }
-            run(&scene, &layout, name(&options.scene), &options.common, keep.interval()?)
+            let name = name(&options.scene);
+            short_of_disk(&scene, &layout, &options.common, name).iter().for_each(|short| warn(short));
+            run(&scene, &layout, name, &options.common, keep.interval()?)
         }),
         Command::Resume(options) => options.go_on(),
         Command::Plan(options) => Loaded::of(&options).and_then(|loaded| {
             let loaded = loaded.without_refusals()?;
-            say(&plan(&loaded.scene, &loaded.layout, &loaded.diagnosis, &options.common)?);
+            let Loaded { scene, layout, diagnosis } = &loaded;
+            short_of_disk(scene, layout, &options.common, name(&options.scene))
+                .iter()
+                .for_each(|short| warn(short));
+            say(&plan(scene, layout, diagnosis, &options.common)?);
             Ok(())
         }),
         Command::Check { scene } => {
