@@ -73,7 +73,9 @@ fn strongest_of(time: &[f64], value: &[f64]) -> Option<Harmonic> {
     };
     let (peak, _) = (2..time.len()).map(power).max_by(|a, b| a.1.total_cmp(&b.1))?;
     // What lies between the frequencies of the search.
-    let near = (-20..=20).map(|part| step * (peak as f64 + f64::from(part) / 20.0));
+    let ends = 2.0..=(time.len() - 1) as f64;
+    let near = (-20..=20).map(|part| peak as f64 + f64::from(part) / 20.0);
+    let near = near.filter(|k| ends.contains(k)).map(|k| step * k);
     near.filter_map(|frequency| fitted(time, value, frequency)).min_by(|a, b| a.rest.total_cmp(&b.rest))
 }
 
@@ -126,6 +128,9 @@ mod tests {
             assert!((found.phase - phase).abs() < 0.1, "{found:?}");
         }
         assert!(found[2].rest < 0.05, "nothing is left: {found:?}");
+        let drift: Vec<f64> = time.iter().map(|t| t * t).collect();
+        let found = strongest(&time, &drift, 2);
+        assert!(found.iter().all(|found| found.frequency >= 1.0 / 3.0), "not half a period: {found:?}");
         assert!(strongest(&time, &vec![2.0; 1200], 3).is_empty() && strongest(&[], &[], 3).is_empty());
     }
 }

@@ -1,7 +1,7 @@
 //! `--preset`: settings that are worth their cost, found by the program `trade` (`docs/trade.md`).
 
 use clap::parser::ValueSource;
-use clap::{ArgMatches, Args, Command, Parser, ValueEnum};
+use clap::{Arg, ArgMatches, Args, Command, Parser, ValueEnum};
 use std::ffi::OsString;
 
 /// The flag; flatten it into the parser of a program that has presets.
@@ -47,8 +47,14 @@ fn expanded(command: &Command, given: Vec<OsString>, settings: impl Fn(Preset) -
 fn is_given(command: &Command, matches: &ArgMatches, flag: &str) -> bool {
     let given = |id: &str| matches.value_source(id) == Some(ValueSource::CommandLine);
     let Some(arg) = command.get_arguments().find(|arg| arg.get_long() == Some(flag)) else { return false };
-    given(arg.get_id().as_str())
-        || command.get_arg_conflicts_with(arg).iter().any(|other| given(other.get_id().as_str()))
+    // Either of two flags may be the one that says that they exclude each other.
+    let excludes = |one: &Arg, other: &Arg| {
+        command.get_arg_conflicts_with(one).iter().any(|excluded| excluded.get_id() == other.get_id())
+    };
+    command.get_arguments().any(|other| {
+        let same = other.get_id() == arg.get_id();
+        given(other.get_id().as_str()) && (same || excludes(arg, other) || excludes(other, arg))
+    })
 }
 
 #[cfg(test)]
@@ -64,6 +70,8 @@ mod tests {
         across: Option<u32>,
         #[arg(long)]
         spacing: Option<f64>,
+        #[arg(long, conflicts_with = "across")]
+        all: bool,
         #[command(flatten)]
         preset: PresetFlag,
     }
@@ -92,5 +100,6 @@ mod tests {
         assert_eq!(parsed(&["--sound-ratio", "1", "--preset=fast"]), (1.0, Some(4), None, fast));
         // One that excludes a part of the preset.
         assert_eq!(parsed(&["--spacing", "2", "--preset", "fast"]), (5.0, None, Some(2.0), fast));
+        assert_eq!(parsed(&["--all", "--preset", "fast"]), (5.0, None, None, fast));
     }
 }

@@ -164,6 +164,20 @@ fn commands_can_be_seen_and_mistakes_are_told() {
     }
 }
 
+/// Every flag of these commands is one of its program.
+fn assert_flags_are_known(commands: &str) {
+    let name = commands.split(' ').next().unwrap();
+    let program = Path::new(env!("CARGO_BIN_EXE_trade")).with_file_name(name);
+    let help = words(&Command::new(program).arg("--help").output().unwrap().stdout);
+    let flags = commands.split_whitespace().filter(|word| word.starts_with("--"));
+    for flag in flags.filter_map(|word| word.split('=').next()) {
+        assert!(
+            help.contains(&format!("{flag} ")) || help.contains(&format!("{flag}\n")),
+            "{name} has no {flag}"
+        );
+    }
+}
+
 /// The sweeps that are there can be read.
 #[test]
 fn the_sweeps_of_the_repository_are_good() {
@@ -172,7 +186,9 @@ fn the_sweeps_of_the_repository_are_good() {
     for sweep in sweeps {
         let path = sweep.unwrap().path();
         let output = Command::new(env!("CARGO_BIN_EXE_trade")).arg(&path).arg("--list").output().unwrap();
-        let runs = words(&output.stdout).lines().count();
+        let commands = words(&output.stdout);
+        let runs = commands.lines().count();
+        assert_flags_are_known(&commands);
         assert!(
             output.status.success() && runs >= 12,
             "{}: {runs} runs, {}",

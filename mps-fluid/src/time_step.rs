@@ -56,7 +56,7 @@ impl<T: Real> StepLimits<T> {
 const ESCAPED: f64 = 20.0;
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
-    /// `dt = C min(l0/(v_max + c), l0^2/nu)` (eq. 46), and `sqrt(l0/a_max)` for sudden forces.
+    /// `dt = C min(l0/(v_max + c), l0^2/(8 nu))` (eq. 46), and `sqrt(l0/a_max)` for sudden forces.
     pub(crate) fn stable_step(&mut self, parallel: &Parallel) -> Result<T, FluidError> {
         let (u, a) = (&self.particles.velocity, &self.rates.acceleration);
         // Keeps a NaN once it has met one, so that it cannot hide behind a comparison.

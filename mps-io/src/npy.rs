@@ -79,7 +79,11 @@ impl NpyWriter {
         let mut found = vec![0; head.bytes.len()];
         file.read_exact(&mut found).map_err(OutputError::file("read", path))?;
         let count = found.get(head.count..head.count + DIGITS).and_then(|digits| str::from_utf8(digits).ok());
-        let rows = count.and_then(|digits| digits.trim().parse().ok());
+        let told: Option<u64> = count.and_then(|digits| digits.trim().parse().ok());
+        // A file that was cut short has fewer rows than its head says.
+        let length = file.metadata().map_err(OutputError::file("read", path))?.len();
+        let whole = (length - head.bytes.len() as u64) / (8 * columns.len().max(1) as u64);
+        let rows = told.map(|rows| rows.min(whole));
         let zeroed = |mut bytes: Vec<u8>| {
             bytes[head.count..head.count + DIGITS].fill(b' ');
             bytes

@@ -131,15 +131,21 @@ impl TableWriter {
     }
 }
 
-/// Reads the table `name` in `dir`, whichever form it has. Returns where it was, too.
+/// Reads the table `name` in `dir`, whichever form it has; of two the one written last. Returns where it was, too.
 ///
 /// # Errors
 /// There is none that can be read.
 pub fn find_table(dir: &Path, name: &str) -> Result<(CsvTable, PathBuf), OutputError> {
-    let binary = TableForm::Npy.path(dir, name);
-    if binary.exists() {
-        return Ok((npy::read(&binary)?, binary));
+    let written = FORMS.into_iter().filter_map(|form| {
+        let path = form.path(dir, name);
+        Some((path.metadata().ok()?.modified().ok()?, form, path))
+    });
+    match written.max_by_key(|(time, ..)| *time) {
+        Some((_, TableForm::Npy, path)) => Ok((npy::read(&path)?, path)),
+        Some((_, TableForm::Csv, path)) => Ok((CsvTable::read(&path)?, path)),
+        None => {
+            let path = TableForm::Csv.path(dir, name);
+            Ok((CsvTable::read(&path)?, path))
+        }
     }
-    let text = TableForm::Csv.path(dir, name);
-    Ok((CsvTable::read(&text)?, text))
 }

@@ -70,6 +70,16 @@ fn a_table_goes_on_from_where_it_was_saved() {
         rows()[2..].iter().for_each(|row| table.row(row).unwrap());
         assert_rows(&table.read().unwrap(), 4);
 
+        // A byte of the last row is missing.
+        let (path, bytes) = (find_table(&dir, "probes").unwrap().1, |path| std::fs::read(path).unwrap());
+        let full = bytes(&path);
+        let fourth = State::save(|transfer| table.transfer(transfer)).unwrap();
+        std::fs::write(&path, &full[..full.len() - 1]).unwrap();
+        let mut cut = TableWriter::resume(&dir, "probes", form, &COLUMNS).unwrap();
+        let error = fourth.restore(|transfer| cut.transfer(transfer)).unwrap_err();
+        assert!(error.to_string().contains("the checkpoint is of a run with 4 rows"), "{error}");
+        std::fs::write(&path, full).unwrap();
+
         let other = TableWriter::resume(&dir, "probes", form, &COLUMNS[..2]).err().unwrap();
         assert!(matches!(other, OutputError::Table { .. }), "{other}");
         drop(table);

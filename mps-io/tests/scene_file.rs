@@ -192,3 +192,16 @@ fn the_page_about_scenes_has_every_key() {
     let (written, _) = rest.split_once("<!-- end of reference -->").unwrap();
     assert_eq!(written.trim(), reference().trim());
 }
+
+#[test]
+fn a_probe_that_has_the_name_of_a_numbered_column_is_refused() {
+    let probe = |name: &str| {
+        format!(
+            "[[probes]]\nname = \"{name}\"\nmeasure = {{ displacement = {{ solid = \"gate\", at = [0.44, 0.0] }} }}\n\n[output]"
+        )
+    };
+    let with = |name: &str| read(&SCENE.replace("[output]", &probe(name)));
+    assert!(with("end of the gate 2 m").is_ok() && with("start 2").is_ok());
+    let said = with("end of the gate 2").unwrap_err().to_string();
+    assert!(said.contains("is \"end of the gate 2\": a column of the probe without the number"), "{said}");
+}

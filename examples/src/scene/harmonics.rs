@@ -9,9 +9,9 @@ use std::path::Path;
 /// Which part of a run is taken apart, and how far.
 #[derive(Clone, Copy, Debug)]
 pub struct Window {
-    /// Begin and end \[s\]; the last half of the run for `None`.
+    /// Begin \[s\]; the middle of the run for `None`.
     pub from: Option<f64>,
-    /// The end of the run for `None`.
+    /// End \[s\]; that of the run for `None`.
     pub to: Option<f64>,
     /// How many harmonics.
     pub count: usize,

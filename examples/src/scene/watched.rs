@@ -4,7 +4,7 @@ use super::World;
 use super::fields::Fields;
 use super::keeper::Keeper;
 use super::observer::Observer;
-use super::watch::{Dissected, Good, Guard, PostMortem, failed};
+use super::watch::{Dissected, Good, Guard, PostMortem, Setbacks, failed};
 use crate::{Due, Failure, Recorded};
 use mps_io::scene_file::SceneFile;
 use mps_kernel::{Kernel, Real, State, Transfer};
@@ -151,10 +151,17 @@ impl<'a, T: Real, K: Kernel<T>> Watched<'a, T, K> {
         let Some(setbacks) = guard.setback(failed(&failure, world), good.steps, world.substeps()) else {
             return Err(self.stop(failure, &good));
         };
+        self.return_to(good, setbacks, &failure).map_err(|error| {
+            format!("{failure}\nGoing back to a good state has failed as well: {error}").into()
+        })
+    }
+
+    /// Brings a good state back and goes on from it with shorter steps.
+    fn return_to(&mut self, good: Good, setbacks: Setbacks, failure: &Failure) -> Result<f64, Failure> {
         good.course.restore(|transfer| self.course.transfer(transfer))?;
         good.output.restore(|transfer| self.output.transfer(transfer))?;
         let Course { world, guard, last_step, .. } = &mut self.course;
-        guard.begin_again(world, good, setbacks, &failure)?;
+        guard.begin_again(world, good, setbacks, failure)?;
         let last_step = *last_step;
         // The checkpoint there may be knows of rows that are gone now.
         self.save()?;

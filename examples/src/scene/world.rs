@@ -49,6 +49,8 @@ pub struct Dry<T: Real> {
     substeps: Vec<usize>,
     interval: f64,
     intervals: u64,
+    /// Sub-steps so far, of the body that takes the most.
+    steps: u64,
     /// How often the sub-steps are halved at present.
     halvings: u32,
 }
@@ -147,7 +149,7 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
     pub fn steps(&self) -> u64 {
         match self {
             Self::Wet(wet) => wet.scene.fluid().steps(),
-            Self::Dry(dry) => dry.intervals * dry.most_substeps() as u64,
+            Self::Dry(dry) => dry.steps,
         }
     }
 
@@ -255,10 +257,12 @@ impl<T: Real, K: Kernel<T>> Wet<T, K> {
 impl<T: Real> Dry<T> {
     fn transfer(&mut self, transfer: &mut Transfer<'_>) {
         // Sub-steps are found from the bodies at the start, as in the run that was saved.
-        let Self { bodies, no_force: _, gravity: _, substeps: _, interval: _, intervals, halvings: _ } = self;
+        let Self { bodies, no_force: _, gravity: _, substeps: _, interval: _, intervals, steps, halvings: _ } =
+            self;
         transfer.same("bodies", bodies.len());
         bodies.iter_mut().for_each(|body| body.transfer(transfer));
         transfer.value("intervals", intervals);
+        transfer.value("sub-steps", steps);
     }
 
     fn new(bodies: Vec<Elastic<T>>, gravity: Vector<T, 2>, interval: f64, parallel: &Parallel) -> Self {
@@ -272,6 +276,7 @@ impl<T: Real> Dry<T> {
             gravity,
             interval,
             intervals: 0,
+            steps: 0,
             halvings: 0,
         }
     }
@@ -284,7 +289,9 @@ impl<T: Real> Dry<T> {
                 .map_err(|source| CouplingError::Structure { index, time, source })?;
         }
         self.intervals += 1;
-        Ok(self.interval / (self.most_substeps() << self.halvings) as f64)
+        let most = self.most_substeps() << self.halvings;
+        self.steps += most as u64;
+        Ok(self.interval / most as f64)
     }
 
     fn most_substeps(&self) -> usize {

@@ -58,7 +58,7 @@ pub(crate) enum Material {
     NeoHookean,
 }
 
-/// What the presets stand for; their errors are in `docs/trade.md`, and held by `examples/tests/presets.rs`.
+/// What the presets stand for; their errors are in `docs/trade.md`; those of the cheap ones are held by `examples/tests/presets.rs`.
 pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
     match preset {
         Preset::Fast => &[("across", "3")],

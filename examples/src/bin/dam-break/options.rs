@@ -71,7 +71,7 @@ pub(crate) struct Options {
     pub(crate) common: Common,
 }
 
-/// What the presets stand for; their errors are in `docs/trade.md`, and held by `examples/tests/presets.rs`.
+/// What the presets stand for; their errors are in `docs/trade.md`; those of the cheap ones are held by `examples/tests/presets.rs`.
 pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
     match preset {
         Preset::Fast => &[("spacing", "0.03"), ("cfl", "1"), ("sound-ratio", "5")],

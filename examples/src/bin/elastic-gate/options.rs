@@ -117,7 +117,7 @@ impl Material {
     }
 }
 
-/// What the presets stand for; their errors are in `docs/trade.md`, and held by `examples/tests/presets.rs`.
+/// What the presets stand for; their errors are in `docs/trade.md`; those of the cheap ones are held by `examples/tests/presets.rs`.
 pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
     match preset {
         Preset::Fast => &[

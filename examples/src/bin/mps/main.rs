@@ -34,7 +34,7 @@ enum Command {
     },
     /// Say what a run will be and cost, measured by its first steps
     Plan(Run),
-    /// Draw the plots of a run again from its probes.csv, or columns of it in one plot
+    /// Draw the plots of a run again from its table of probes, or columns of it in one plot
     Plot(Plot),
     /// Take columns of the table of a run apart into their strongest harmonics
     Harmonics(Harmonics),

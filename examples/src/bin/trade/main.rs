@@ -59,7 +59,7 @@ fn trade(options: &Options) -> Result<(), Failure> {
     let mut rows: Vec<Row> = Vec::new();
     for (k, setting) in settings.iter().enumerate() {
         let below = dir.join("runs").join(setting.directory());
-        let known = run::finished(&below, setting);
+        let known = run::finished(&sweep.program, &below, setting);
         if known.is_none() && options.tables {
             continue;
         }
@@ -70,7 +70,7 @@ fn trade(options: &Options) -> Result<(), Failure> {
                 if !options.quiet {
                     tell(&format!("{} of {}: {}", k + 1, settings.len(), setting.label));
                 }
-                run::run(&program, &below, setting)?
+                run::run(&sweep.program, &program, &below, setting)?
             }
         };
         rows.push(judge(&sweep, setting, &record, &below));

@@ -13,6 +13,8 @@ use std::time::Instant;
 /// What is known of a run that has ended.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Record {
+    /// Name of the program.
+    pub(crate) program: String,
     /// The arguments it was given: with others it is another run.
     pub(crate) arguments: Vec<String>,
     /// From start to end of the process \[s\].
@@ -42,14 +44,14 @@ pub(crate) fn program(name: &str) -> Result<PathBuf, Failure> {
 }
 
 /// The record of the run in `dir`, if the same run has ended there.
-pub(crate) fn finished(dir: &Path, setting: &Setting) -> Option<Record> {
+pub(crate) fn finished(program: &str, dir: &Path, setting: &Setting) -> Option<Record> {
     let text = std::fs::read_to_string(dir.join("run.json")).ok()?;
     let record: Record = serde_json::from_str(&text).ok()?;
-    (record.arguments == setting.arguments).then_some(record)
+    (record.program == program && record.arguments == setting.arguments).then_some(record)
 }
 
-/// Makes the run in `dir`. One that is stopped by a signal leaves no record, and is made again the next time.
-pub(crate) fn run(program: &Path, dir: &Path, setting: &Setting) -> Result<Record, Failure> {
+/// Makes the run in `dir`. One that is stopped, by a signal or a file, leaves no record, and is made again the next time.
+pub(crate) fn run(name: &str, program: &Path, dir: &Path, setting: &Setting) -> Result<Record, Failure> {
     // What an earlier run of other settings has left must not be taken for this one's.
     if dir.exists() {
         std::fs::remove_dir_all(dir)?;
@@ -66,12 +68,14 @@ pub(crate) fn run(program: &Path, dir: &Path, setting: &Setting) -> Result<Recor
     let ticks = processor_ticks_of_children().zip(before).map(|(after, before)| after - before);
     let processor_seconds = ticks.map(|ticks| ticks as f64 / TICKS);
     let record = Record {
+        program: name.to_owned(),
         arguments: setting.arguments.clone(),
         wall_seconds,
         processor_seconds,
         failure: failure(dir, &output),
     };
-    if output.status.code().is_some() {
+    let stopped = record.failure.as_ref().is_some_and(|words| words.starts_with("stopped by "));
+    if output.status.code().is_some() && !stopped {
         // Renamed into place, so that a record is whole or not there.
         let part = dir.join("run.json.part");
         std::fs::write(&part, serde_json::to_string_pretty(&record)?)?;

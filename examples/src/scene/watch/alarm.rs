@@ -37,13 +37,13 @@ pub(super) enum Alarm {
 
 impl Alarm {
     /// Whom it is about.
-    pub(super) fn particle(&self) -> Option<Particle> {
-        Some(match self {
+    pub(super) fn particle(&self) -> Particle {
+        match self {
             Self::NotFinite { particle, .. }
             | Self::Collapsed { particle, .. }
             | Self::Energy { particle, .. }
             | Self::Escaped { particle, .. } => *particle,
-        })
+        }
     }
 
     /// What is wrong after `now`, which follows the steps of the ring.

@@ -67,7 +67,9 @@ impl Guard {
             None => f64::NAN,
         };
         let step = Step::new([world.count() as f64, world.time(), dt, energy], world.limit(), &measures);
-        let alarm = Alarm::after(&step, &measures, &self.ring, &self.watch);
+        // Steps that are shorter on purpose have not collapsed.
+        let collapse = self.watch.collapse * 0.5_f64.powi(self.pace.halvings as i32);
+        let alarm = Alarm::after(&step, &measures, &self.ring, &Watch { collapse, ..self.watch.clone() });
         self.ring.push(step);
         alarm.map_or(Ok(()), |alarm| Err(alarm.into()))
     }
@@ -109,6 +111,7 @@ impl Guard {
         self.pace = pace;
         let time = world.time();
         let what = failure.to_string().replace('\n', " ");
+        tracing::warn!(time, tries = pace.tries, halvings = pace.halvings, "goes back after: {what}");
         self.passed = format!(
             "{passed}retry {}: went back to t = {time:e} s, with {} of the Courant number until step {}, after: {what}\n",
             pace.tries,

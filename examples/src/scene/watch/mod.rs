@@ -22,5 +22,5 @@ mod report;
 mod ring;
 mod table;
 
-pub(super) use guard::{Good, Guard};
+pub(super) use guard::{Good, Guard, Setbacks};
 pub(super) use post_mortem::{Dissected, PostMortem, failed};

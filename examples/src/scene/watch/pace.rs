@@ -35,8 +35,8 @@ impl Pace {
             return None;
         }
         let halvings = self.halvings + 1;
-        // In half the step, and again half, it takes as many more steps to where it failed.
-        let way = (setback.failed + 1 - setback.from) << halvings.saturating_sub(self.halvings);
+        // In half the step it takes twice as many to where it failed.
+        let way = 2 * (setback.failed + 1 - setback.from);
         Some(Self {
             halvings,
             // The first failure says how many there were at full length.

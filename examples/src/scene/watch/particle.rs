@@ -46,7 +46,7 @@ impl Particle {
     /// Whom a failure names.
     pub(super) fn named_by(failure: &Failure) -> Option<Self> {
         if let Some(alarm) = failure.downcast_ref::<Alarm>() {
-            return alarm.particle();
+            return Some(alarm.particle());
         }
         match failure.downcast_ref::<CouplingError>()? {
             CouplingError::Fluid(FluidError::NotFinite { id, .. } | FluidError::TimeStep { id, .. }) => {

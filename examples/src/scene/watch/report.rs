@@ -109,7 +109,7 @@ fn solid_particle<T: Real>(e: &solid::Explanation<T, 2>) -> String {
     let sum = [[vec!["**sum**".to_owned(), blank(), blank()], total.into()].concat()];
     let headings = ["neighbour", "offset [m]", "stretch [-]", "force x [N/m]", "y", "size"];
     let pairs = table(&headings, pairs.chain(sum));
-    format!("As it was before the sub-step that failed:\n\n{state}\n{pairs}")
+    format!("As it was before what failed:\n\n{state}\n{pairs}")
 }
 
 /// The limits of the step, and who sets them.

@@ -5,6 +5,8 @@ use super::Checker;
 
 /// Steps beyond which what is remembered is too much to read, or to go back.
 const MOST_STEPS: f64 = 1e4;
+/// Failures beyond which halved steps are of no use: a millionth of the usual.
+const MOST_TIMES: f64 = 20.0;
 
 impl Checker<'_> {
     pub(super) fn watch(&mut self, watch: &Watch) {
@@ -18,9 +20,9 @@ impl Checker<'_> {
             self.corners(region, "watch.region");
         }
         if let OnFailure::Retry(retry) = on_failure {
-            for (name, value) in [("steps", retry.steps), ("times", retry.times)] {
+            for (name, value, most) in [("steps", retry.steps, 1e6), ("times", retry.times, MOST_TIMES)] {
                 let (key, value) = (format!("watch.on_failure.retry.{name}"), f64::from(value));
-                self.within(value, [1.0, 1e6], &key, "give a whole number from 1 to 1e6");
+                self.within(value, [1.0, most], &key, &format!("give a whole number from 1 to {most}"));
             }
         }
     }

@@ -50,6 +50,11 @@ impl Checker<'_> {
             scene.probes.iter().enumerate().map(|(k, probe)| (format!("probes[{k}].name"), &probe.name));
         self.names(probes);
         for (k, probe) in scene.probes.iter().enumerate() {
+            // The columns of a line are numbered.
+            let numbered = probe.name.rsplit_once(' ').filter(|(_, number)| number.parse::<u32>().is_ok());
+            let unlike = numbered.is_none_or(|(stem, _)| scene.probes.iter().all(|other| other.name != stem));
+            let remedy = "a column of the probe without the number may have this name: change one";
+            self.unless(unlike, &format!("probes[{k}].name"), format!("is {:?}", probe.name), remedy);
             self.probe(probe, scene, &format!("probes[{k}].measure"));
         }
         self.output(scene);
