@@ -256,7 +256,6 @@ fn a_run_that_cannot_be_passed_gives_up_after_its_tries() {
     assert!(tries[0].contains("with 0.5 of the Courant number"), "{tries:?}");
     assert!(tries[1].contains("with 0.25 of the Courant number"), "{tries:?}");
     assert_in_order(&dir);
-    comes_again(&dir, &said);
     // The flag of the run outdoes the scene.
     let (dir, _) = broken("not-tried", &scene, &["--on-failure", "stop"]);
     assert!(retries(&dir).is_empty());
