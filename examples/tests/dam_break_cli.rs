@@ -181,7 +181,7 @@ fn quiet_prints_nothing_and_without_fields_there_are_none() {
     left.sort_unstable();
     let plots =
         ["energy.png", "front.png", "pressure_1.png", "pressure_2.png", "pressure_3.png", "pressure_4.png"];
-    assert_eq!(left, [&plots[..], &["probes.csv", "summary.json"]].concat());
+    assert_eq!(left, [&plots[..], &["probes.csv", "run.log", "summary.json"]].concat());
 }
 
 #[test]

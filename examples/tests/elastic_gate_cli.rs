@@ -185,7 +185,7 @@ fn quiet_prints_nothing_and_without_fields_there_are_none() {
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
         .collect();
     left.sort_unstable();
-    assert_eq!(left, ["gate.png", "probes.csv", "summary.json"]);
+    assert_eq!(left, ["gate.png", "probes.csv", "run.log", "summary.json"]);
 }
 
 #[test]
