@@ -8,7 +8,7 @@ pub(crate) fn borders() -> Vec<Border> {
         name: "far-f32",
         parameter: "distance from the origin in spacings, f32",
         measure: "error of the pressure at rest over rho g H",
-        bound: 0.03,
+        bound: 0.02,
         scene: |x| Tank { shift: x, ..USUAL }.pressure_error::<f32>(),
         predicted: None,
         whole: false,
@@ -29,6 +29,7 @@ pub(crate) fn borders() -> Vec<Border> {
         Border {
             name: "slow-f32",
             parameter: "sqrt(g H) over the speed of sound, f32",
+            bound: 0.03,
             scene: |x| Tank { mach: x, duration: 0.1, ..USUAL }.pressure_error::<f32>(),
             mechanism: "the density is 1 and a part in 1/M^2: its last bit is 6e-8/M^2 of rho g H, and smaller changes are lost",
             remedy: "f64, or a speed of sound of not more than a hundred times the largest speed",

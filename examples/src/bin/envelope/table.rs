@@ -1,6 +1,6 @@
 //! The map as files: envelope.json and envelope.csv for programs, envelope.md for people.
 
-use crate::border::{Border, Trial};
+use crate::border::{Border, Breaks, Trial};
 use crate::search::Found;
 use mps_examples::Failure;
 use mps_io::Value;
@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 /// Columns of the table for people.
-const HEAD: &str = "| border | parameter | fine at | broken at | predicted | breaks by | broken when |\n|---|---|---|---|---|---|---|\n";
+const HEAD: &str = "| border | parameter | fine at | broken at | predicted | how it breaks | why | remedy |\n|---|---|---|---|---|---|---|---|\n";
 
 /// All that has been found so far.
 pub(crate) struct Table {
@@ -52,13 +52,17 @@ impl Table {
             "{name},\"{parameter}\",{},{broken_at},{theory},{how},{as_known}",
             fine_at.join(" ")
         );
+        let broken_when = match breaks {
+            Breaks::Nothing => how.to_owned(),
+            Breaks::Refusal => format!("{how}: the run ends with an error"),
+            _ => format!("{how}: {measure} > {}", digits(*bound)),
+        };
         let _ = writeln!(
             self.markdown,
-            "| {name} | {parameter} | {} | {} | {} | {how} | {measure} > {} |",
+            "| {name} | {parameter} | {} | {} | {} | {broken_when} | {mechanism} | {remedy} |",
             fine_at.join(", "),
             or_dash(broken_at),
             or_dash(theory),
-            digits(*bound)
         );
         self.rows.push(object([
             ("border", (*name).into()),

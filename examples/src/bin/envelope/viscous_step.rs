@@ -47,7 +47,7 @@ pub(crate) fn borders() -> Vec<Border> {
     let base = Border {
         name: "viscous-laminar",
         parameter: "nu dt/l0^2",
-        measure: "largest speed over that at the start",
+        measure: "noise over that at the start",
         bound: 1e3,
         scene: |x| growth(undamped::<2>(SOUND, 3.0), Rational, |r| LaminarViscosity::new::<2>(x, r), 1.0),
         predicted: Some(|| laplacian(&Rational, 3.0, |w, _, lambda0| w / lambda0)),
