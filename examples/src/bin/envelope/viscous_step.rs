@@ -4,7 +4,7 @@
 
 use crate::border::{Border, Breaks};
 use crate::fluid_step::{growth, undamped};
-use crate::waves::{neighbours, vectors};
+use crate::waves::{Neighbour, neighbours, vectors};
 use mps_examples::Failure;
 use mps_fluid::{ArtificialViscosity, CompactViscosity, LaminarViscosity};
 use mps_kernel::weights::{Rational, WendlandC2, WendlandGradient};
@@ -14,18 +14,16 @@ use mps_kernel::{Kernel, Tensor, Vector};
 const SOUND: f64 = 1e-3;
 const SIDE: usize = 16;
 
-/// `2/L` of the steepest wave, for a Laplacian that multiplies the difference of a pair by `weight(W, W/r^2)`; `factor` times `D/n0`.
+/// `2/L` of the steepest wave, for a Laplacian `(4/n0) sum (u_j - u_i) w` with the `w` of a neighbour and of `lambda0`.
 fn laplacian<K: Kernel<f64>>(
     kernel: &K,
     radius: f64,
-    weight: fn(f64, f64, f64) -> f64,
+    weight: fn(&Neighbour<2>, f64) -> f64,
 ) -> Result<f64, Failure> {
     let (neighbours, n0) = neighbours::<2, K>(kernel, radius)?;
-    let lambda0 = neighbours.iter().map(|(r, w, _)| w * r.norm_squared()).sum::<f64>() / n0;
+    let lambda0 = neighbours.iter().map(|near| near.weight * near.offset.norm_squared()).sum::<f64>() / n0;
     let symbol = |k: Vector<f64, 2>| {
-        let part = |(r, w, over_r2): &(Vector<f64, 2>, f64, f64)| {
-            4.0 / n0 * weight(*w, *over_r2, lambda0) * (1.0 - k.dot(r).cos())
-        };
+        let part = |near: &Neighbour<2>| 4.0 / n0 * weight(near, lambda0) * (1.0 - k.dot(&near.offset).cos());
         neighbours.iter().map(part).sum::<f64>()
     };
     Ok(2.0 / vectors(SIDE).map(symbol).fold(0.0, f64::max))
@@ -35,8 +33,9 @@ fn laplacian<K: Kernel<f64>>(
 fn along_pairs<K: Kernel<f64>>(kernel: &K, radius: f64) -> Result<f64, Failure> {
     let (neighbours, n0) = neighbours::<2, K>(kernel, radius)?;
     let symbol = |k: Vector<f64, 2>| {
-        let sum = neighbours.iter().fold(Tensor::<f64, 2>::zeros(), |sum, (r, _, over_r2)| {
-            sum + r * r.transpose() * (2.0 / n0 * over_r2 / r.norm_squared() * (1.0 - k.dot(r).cos()))
+        let sum = neighbours.iter().fold(Tensor::<f64, 2>::zeros(), |sum, near| {
+            let r = &near.offset;
+            sum + r * r.transpose() * (2.0 / n0 * near.over_r2 / r.norm_squared() * (1.0 - k.dot(r).cos()))
         });
         sum.symmetric_eigenvalues().max()
     };
@@ -50,7 +49,7 @@ pub(crate) fn borders() -> Vec<Border> {
         measure: "noise over that at the start",
         bound: 1e3,
         scene: |x| growth(undamped::<2>(SOUND, 3.0), Rational, |r| LaminarViscosity::new::<2>(x, r), 1.0),
-        predicted: Some(|| laplacian(&Rational, 3.0, |w, _, lambda0| w / lambda0)),
+        predicted: Some(|| laplacian(&Rational, 3.0, |near, lambda0| near.weight / lambda0)),
         whole: false,
         breaks: Breaks::BlowUp,
         mechanism: "explicit viscosity takes more than twice the difference between neighbours in a step",
@@ -63,7 +62,7 @@ pub(crate) fn borders() -> Vec<Border> {
             scene: |x| {
                 growth(undamped::<2>(SOUND, 3.0), WendlandGradient, |r| CompactViscosity::new::<2>(x, r), 1.0)
             },
-            predicted: Some(|| laplacian(&WendlandGradient, 3.0, |_, over_r2, _| over_r2)),
+            predicted: Some(|| laplacian(&WendlandGradient, 3.0, |near, _| near.over_r2)),
             ..base
         },
         Border {
@@ -71,7 +70,7 @@ pub(crate) fn borders() -> Vec<Border> {
             scene: |x| {
                 growth(undamped::<2>(SOUND, 3.0), WendlandC2, |r| LaminarViscosity::new::<2>(x, r), 1.0)
             },
-            predicted: Some(|| laplacian(&WendlandC2, 3.0, |w, _, lambda0| w / lambda0)),
+            predicted: Some(|| laplacian(&WendlandC2, 3.0, |near, lambda0| near.weight / lambda0)),
             ..base
         },
         Border {

@@ -49,18 +49,28 @@ impl Wave {
     }
 }
 
-/// Offsets of the neighbours with their weights, `W/r^2`, and `n0`.
+/// A neighbour on the lattice.
+pub(crate) struct Neighbour<const D: usize> {
+    /// Where it is.
+    pub(crate) offset: Vector<f64, D>,
+    /// `W`.
+    pub(crate) weight: f64,
+    /// `W/r^2`.
+    pub(crate) over_r2: f64,
+}
+
+/// All neighbours, and `n0`.
 pub(crate) fn neighbours<const D: usize, K: Kernel<f64>>(
     kernel: &K,
     radius: f64,
-) -> Result<(Vec<(Vector<f64, D>, f64, f64)>, f64), Failure> {
+) -> Result<(Vec<Neighbour<D>>, f64), Failure> {
     let n0 = ReferenceDensity::lattice::<K, D>(kernel, 1.0, radius)?.n0;
     let reach = radius.ceil() as usize;
     let offsets = lattice([-(reach as f64) - 0.5; D], [2 * reach + 1; D], 1.0);
     let near = offsets.into_iter().filter(|r: &Vector<f64, D>| r.norm() > 0.5 && r.norm() < radius);
-    let weigh = |r: Vector<f64, D>| {
-        let (weight, over_r2) = kernel.weight_and_over_r2(r.norm_squared(), radius);
-        (r, weight, over_r2)
+    let weigh = |offset: Vector<f64, D>| {
+        let (weight, over_r2) = kernel.weight_and_over_r2(offset.norm_squared(), radius);
+        Neighbour { offset, weight, over_r2 }
     };
     Ok((near.map(weigh).collect(), n0))
 }
@@ -82,7 +92,7 @@ pub(crate) fn waves<const D: usize, K: Kernel<f64>>(
     let wave = |k: Vector<f64, D>| {
         let mut kappa = Vector::<f64, D>::zeros();
         let mut sum = 0.0;
-        for (r, _, over_r2) in &neighbours {
+        for Neighbour { offset: r, over_r2, .. } in &neighbours {
             kappa += r * (factor * over_r2 * k.dot(r).sin());
             sum += 2.0 * factor * over_r2 * (1.0 - k.dot(r).cos());
         }
