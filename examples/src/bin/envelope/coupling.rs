@@ -151,9 +151,10 @@ pub(crate) fn borders() -> Vec<Border> {
         Border {
             name: "light-body-told",
             parameter: "the same of a body that tells its mass",
+            bound: 5.0,
             scene: |x| pushed(x, true),
             predicted: Some(|| layers_at(0.5 * PI)),
-            mechanism: "the velocity of the water is held over its step, and the body turns by more than half a turn on that spring meanwhile",
+            mechanism: "the velocity of the water is held over its step, and the body turns by more than half a turn on that spring meanwhile: it grows slowly, a hundredfold in a hundred steps",
             remedy: "a smaller cfl: the border goes with its square",
             ..base
         },

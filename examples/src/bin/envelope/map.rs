@@ -26,7 +26,7 @@ const MAP: &[(&str, Known)] = &[
     ("thickness-rubber", Between(3.0, 2.0)),
     ("long-particles", Between(1.4, 1.5)),
     ("light-body", Between(0.052, 0.049)),
-    ("light-body-told", Between(0.011, 0.01)),
+    ("light-body-told", Between(0.023, 0.019)),
     ("density-ratio", Holds(&[0.05, 1.0, 50.0])),
     ("soft-body", Between(9.0, 8.5)),
     ("stiff-body", Between(1.1e9, 1.6e9)),
