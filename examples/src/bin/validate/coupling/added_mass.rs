@@ -2,16 +2,14 @@
 
 use crate::case::{Case, Measure, Outcome, Pace};
 use core::f64::consts::FRAC_PI_2;
-use mps_coupling::{Scene, Structure, StructureEnergy};
-use mps_examples::Failure;
+use mps_coupling::Scene;
 use mps_examples::basin::{RADIUS_RATIO, lattice, water};
 use mps_examples::series::zeros;
+use mps_examples::{Failure, Piston};
 use mps_fluid::{Boundary, Fluid, FluidParticles, Slip, Tension};
 use mps_kernel::Vector;
 use mps_kernel::weights::WendlandGradient;
 use mps_neighbors::{Parallel, PeriodicBox};
-use std::any::Any;
-use std::error::Error;
 
 pub(crate) struct AddedMass;
 
@@ -70,13 +68,15 @@ impl Case for AddedMass {
         let mut scene = Scene::new(fluid);
         let layers = RADIUS_RATIO as usize + 1;
         let places = lattice([0.0, -(layers as f64) * l0], [COLUMNS, layers], l0);
-        scene.add_structure(parallel, Box::new(Plate::new(places, l0, width)), Slip::Free)?;
+        let mut plate = Piston::new(places, l0, MASS * width);
+        (plate.stiffness, plate.v) = (stiffness() * width, SPEED);
+        scene.add_structure(parallel, Box::new(plate), Slip::Free)?;
         let omega = PHASE * SOUND / DEPTH;
         let (mut time, mut place) = (Vec::new(), Vec::new());
         // Four passages of zero, three half periods; the first is at the start.
         while scene.fluid().time() * omega < 2.0 * FRAC_PI_2 * 3.2 {
             scene.step(parallel, f64::INFINITY)?;
-            let plate = scene.structure(0).and_then(|body| body.as_any().downcast_ref::<Plate>());
+            let plate = scene.structure(0).and_then(|body| body.as_any().downcast_ref::<Piston>());
             time.push(scene.fluid().time());
             place.push(plate.ok_or("the scene has no plate")?.y);
         }
@@ -87,81 +87,5 @@ impl Case for AddedMass {
         let found = 4.0 * FRAC_PI_2 / (last - first);
         let frequency = Measure::new("frequency", "rad/s", found, omega, LAW);
         Ok(Outcome { measures: vec![frequency.within(0.01, 10)], curves: Vec::new() })
-    }
-}
-
-/// A rigid plate on a spring that moves up and down.
-struct Plate {
-    positions: Vec<Vector<f64, 2>>,
-    mean: Vec<Vector<f64, 2>>,
-    volumes: Vec<f64>,
-    spacing: f64,
-    mass: f64,
-    stiffness: f64,
-    y: f64,
-    v: f64,
-}
-
-impl Plate {
-    fn new(positions: Vec<Vector<f64, 2>>, l0: f64, width: f64) -> Self {
-        let len = positions.len();
-        Self {
-            positions,
-            mean: vec![Vector::zeros(); len],
-            volumes: vec![l0 * l0; len],
-            spacing: l0,
-            mass: MASS * width,
-            stiffness: stiffness() * width,
-            y: 0.0,
-            v: SPEED,
-        }
-    }
-}
-
-impl Structure<f64, 2> for Plate {
-    fn positions(&self) -> &[Vector<f64, 2>] {
-        &self.positions
-    }
-
-    fn mean_velocities(&self) -> &[Vector<f64, 2>] {
-        &self.mean
-    }
-
-    fn volumes(&self) -> &[f64] {
-        &self.volumes
-    }
-
-    fn spacing(&self) -> f64 {
-        self.spacing
-    }
-
-    fn max_step(&self, _: &Parallel) -> f64 {
-        0.2 * (self.mass / self.stiffness).sqrt()
-    }
-
-    fn advance(
-        &mut self,
-        _: &Parallel,
-        force: &[Vector<f64, 2>],
-        _: &Vector<f64, 2>,
-        dt: f64,
-        _: usize,
-    ) -> Result<(), Box<dyn Error + Send + Sync>> {
-        let push: f64 = force.iter().map(|f| f.y).sum();
-        self.v += dt * (push - self.stiffness * self.y) / self.mass;
-        self.y += dt * self.v;
-        let moved = Vector::from([0.0, dt * self.v]);
-        self.positions.iter_mut().for_each(|r| *r += moved);
-        self.mean.fill(moved / dt);
-        Ok(())
-    }
-
-    fn as_any(&self) -> &dyn Any {
-        self
-    }
-
-    fn energy(&self, _: &Parallel, _: &Vector<f64, 2>) -> StructureEnergy<f64> {
-        let (kinetic, strain) = (0.5 * self.mass * self.v * self.v, 0.5 * self.stiffness * self.y * self.y);
-        StructureEnergy { kinetic, strain, potential: 0.0 }
     }
 }

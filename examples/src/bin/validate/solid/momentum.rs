@@ -36,7 +36,7 @@ impl Case for Momentum {
         let speed = SPEED * solid.wave_speed();
         let mut noise = Noise::default();
         for u in solid.velocities_mut() {
-            *u = (noise.vector() + V::new(1.0, 0.5)) * speed;
+            *u = (noise.vector::<2>() + V::new(1.0, 0.5)) * speed;
         }
         let (rest, zero) = (vec![V::zeros(); solid.len()], V::zeros());
         let size: f64 = solid.velocities().iter().zip(solid.masses()).map(|(u, m)| u.norm() * m).sum();

@@ -1,6 +1,7 @@
 //! Bodies and noise that several cases have.
 
 use mps_examples::Failure;
+pub(crate) use mps_examples::Noise;
 use mps_kernel::Vector;
 use mps_kernel::weights::WendlandC2;
 use mps_neighbors::Parallel;
@@ -39,7 +40,7 @@ pub(crate) fn square<M: ConstitutiveModel<f64, 2>>(
     for k in 0..n * n {
         let cell = V::new((k / n) as f64 + 0.5, (k % n) as f64 + 0.5);
         let volume = l0 * l0 * (1.0 + noise * random.number());
-        particles.push((cell + random.vector() * noise) * l0, volume, false);
+        particles.push((cell + random.vector::<2>() * noise) * l0, volume, false);
     }
     let config = SolidConfig::default();
     Ok(Solid::new(particles, V::repeat(l0), RHO, material, WendlandC2, config, parallel)?)
@@ -54,21 +55,4 @@ pub(crate) fn deform<M: ConstitutiveModel<f64, 2>>(
     let places: Vec<V> = solid.particles().reference_positions().iter().map(place).collect();
     solid.positions_mut().copy_from_slice(&places);
     Ok(solid.refresh(parallel)?)
-}
-
-/// Reproducible noise.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Noise(u64);
-
-impl Noise {
-    /// In [-1, 1).
-    pub(crate) fn number(&mut self) -> f64 {
-        // Knuth's linear congruential generator, upper bits.
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as f64 / f64::from(1_u32 << 30) - 1.0
-    }
-
-    pub(crate) fn vector(&mut self) -> V {
-        V::new(self.number(), self.number())
-    }
 }

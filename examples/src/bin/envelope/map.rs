@@ -1,0 +1,64 @@
+//! The map: where every border is. The two sides are re-run by `--quick` and its test.
+
+use crate::border::Known;
+use crate::border::Known::{Between, Holds};
+
+/// Borders with a value at which the scene is fine and one at which it is broken.
+const MAP: &[(&str, Known)] = &[
+    ("courant-rational", Between(2.47, 2.51)),
+    ("courant-smooth", Between(3.505, 3.56)),
+    ("courant-corrected", Between(2.65, 2.69)),
+    ("courant-3d", Between(2.535, 2.575)),
+    ("courant-diffused", Between(1.003, 1.019)),
+    ("courant-diffused-smooth", Between(1.521, 1.545)),
+    ("diffusion", Between(0.507, 0.515)),
+    ("viscous-laminar", Between(0.938, 0.953)),
+    ("viscous-compact", Between(0.683, 0.694)),
+    ("viscous-wendland", Between(0.6325, 0.6427)),
+    ("viscous-artificial", Between(0.4622, 0.4696)),
+    ("solid-courant", Between(0.985, 1.01)),
+    ("solid-courant-rubber", Between(0.985, 1.01)),
+    ("solid-courant-3d", Between(0.985, 1.01)),
+    ("poisson-even", Between(0.04, 0.035)),
+    ("poisson-odd", Holds(&[0.1, 0.001, 0.0001])),
+    ("thickness-hooke", Between(2.0, 1.0)),
+    ("thickness-rubber", Between(3.0, 2.0)),
+    ("long-particles", Between(1.4, 1.5)),
+    ("light-body", Between(0.052, 0.049)),
+    ("light-body-told", Between(0.023, 0.019)),
+    ("density-ratio", Holds(&[0.05, 1.0, 50.0])),
+    ("soft-body", Between(9.0, 8.5)),
+    ("stiff-body", Between(1.1e9, 1.6e9)),
+    ("mach", Between(1.7, 3.0)),
+    ("spacing", Between(7.0, 6.0)),
+    ("disorder", Between(0.1, 0.15)),
+    ("gravity", Holds(&[0.0, 100.0])),
+    ("aspect", Between(2.0, 4.0)),
+    ("rest", Holds(&[20.0])),
+    ("small-and-large", Holds(&[1e-9, 1e9])),
+    ("impact", Between(0.6, 0.7)),
+    ("clustered", Holds(&[0.1, 0.0])),
+    ("isolated", Holds(&[1.0])),
+    ("far-f32", Between(5e3, 1e4)),
+    ("far-f64", Between(3e12, 1e13)),
+    ("slow-f32", Between(0.003, 0.001)),
+    ("small-f32", Between(1e-19, 1e-23)),
+    ("large-f32", Between(1e18, 1e20)),
+];
+
+/// Where the border is.
+pub(crate) fn known(name: &str) -> Option<Known> {
+    MAP.iter().find(|(other, _)| *other == name).map(|(_, known)| *known)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_map_and_the_scenes_are_of_the_same_borders() {
+        let scenes: Vec<_> = crate::borders().iter().map(|border| border.name).collect();
+        let map: Vec<_> = MAP.iter().map(|(name, _)| *name).collect();
+        assert_eq!(scenes, map);
+    }
+}
