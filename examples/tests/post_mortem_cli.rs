@@ -251,6 +251,33 @@ fn a_run_passes_with_shorter_steps_what_stops_it_otherwise() {
     assert!(one == other && retries(&again) == tries);
 }
 
+/// Shorter steps are part of the state: a run that is stopped while it makes them makes them when it is resumed.
+#[test]
+fn a_run_that_goes_on_within_shorter_steps_has_the_same_bits() {
+    let retry = "[watch]\non_failure = { retry = { steps = 1000000, times = 3 } }\n";
+    let scene = water("slow", &unstable("0.9"), retry);
+    let run = |name: &str, more: &[&str]| {
+        let dir = fresh("post-mortem", name);
+        let arguments = ["run", scene.to_str().unwrap(), "--no-fields", "--quiet", "--threads", "1"];
+        let output = execute(MPS, &dir, &[&arguments[..], more].concat());
+        assert!(output.status.success(), "{}", words(&output.stderr));
+        dir
+    };
+    let (whole, parts) = (run("slow-whole", &[]), run("slow-parts", &["--end-time", "0.4"]));
+    let tries = retries(&parts);
+    assert!(!tries.is_empty(), "the first part has gone back");
+    let resume = ["--end-time", "0.5", "--quiet", "--threads", "2"];
+    let output = Command::new(MPS).arg("resume").arg(&parts).args(resume).output().unwrap();
+    assert!(output.status.success(), "{}", words(&output.stderr));
+    assert_eq!(
+        (retries(&whole), retries(&parts)),
+        (tries.clone(), tries),
+        "nothing fails in the second part"
+    );
+    let [one, other] = [&whole, &parts].map(|dir| std::fs::read(dir.join("probes.csv")).unwrap());
+    assert!(one == other);
+}
+
 #[test]
 fn a_run_that_cannot_be_passed_gives_up_after_its_tries() {
     // Steps of a quarter have not collapsed: they are shorter on purpose.

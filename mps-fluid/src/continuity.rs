@@ -1,7 +1,7 @@
 //! The second sweep of a step: the rate of the number density.
 
-use crate::fluid::Flow;
 use crate::gather::Gather;
+use crate::rates::Flow;
 use crate::terms::{Viscosity, WallPair};
 use crate::{Boundary, Diffusion, Fluid};
 use fearless_simd::Simd;

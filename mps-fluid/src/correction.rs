@@ -16,8 +16,8 @@
 //! What is lost is the tendency of the plain form to even out the particles, which came from the same
 //! resistance: flows that stir need shifting.
 
-use crate::fluid::State;
 use crate::gather::Gather;
+use crate::rates::State;
 use crate::terms::Viscosity;
 use crate::{Fluid, PressureForm};
 use fearless_simd::Simd;

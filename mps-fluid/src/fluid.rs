@@ -5,11 +5,12 @@ use crate::eos::{EquationOfState, Tait};
 use crate::exchange::Exchange;
 use crate::explain::Starts;
 use crate::open::OpenBoundaries;
+use crate::rates::{Rates, State};
 use crate::search::Search;
 use crate::terms::{Guard, Viscosity, WallPair};
 use crate::{Boundary, FluidConfig, FluidError, FluidParticles, Limit, Tension};
 use mps_kernel::weights::Rational;
-use mps_kernel::{Kernel, ParticleStore, Real, ReferenceDensity, Tensor, Vector};
+use mps_kernel::{Kernel, ParticleStore, Real, ReferenceDensity, Vector};
 use mps_neighbors::{Domain, Open, Parallel, RowView, Rows};
 
 /// A weakly compressible MPS fluid with density diffusion (paper 1, section 2.2.2).
@@ -60,65 +61,6 @@ pub(crate) enum Stage {
     Begun,
     /// Accelerations are known.
     Swept,
-}
-
-/// What the sweeps of a step leave behind, one entry a particle. Rebuilt in every step, hence
-/// neither permuted nor saved.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Rates<T: Real, const D: usize> {
-    /// What the momentum sweep reads of a neighbour.
-    pub(crate) state: Vec<State<T, D>>,
-    /// What the density sweep reads of a neighbour.
-    pub(crate) flow: Vec<Flow<T, D>>,
-    /// Acceleration \[m/s^2\].
-    pub(crate) acceleration: Vec<Vector<T, D>>,
-    /// Sum of weights over `n0` \[-\], from positions alone.
-    pub(crate) packing: Vec<T>,
-    /// `(D/n0) sum e_ij W_ij/r` \[1/m\]: zero inside, points into the fluid at its surface.
-    pub(crate) asymmetry: Vec<Vector<T, D>>,
-    /// Rate of `n/n0` \[1/s\], or any scalar scratch.
-    pub(crate) density_rate: Vec<T>,
-    /// `C_i` of the corrected pressure; empty in the plain form.
-    pub(crate) pressure_correction: Vec<Tensor<T, D>>,
-    /// `S_i = (p_i n0/n_i) C_i` \[Pa\]; empty in the plain form.
-    pub(crate) stress: Vec<Tensor<T, D>>,
-    /// Where the wall is to which the fluid sticks: see [`NoSlip`](crate::no_slip::NoSlip).
-    pub(crate) toward_wall: Vec<Vector<T, D>>,
-    /// Velocity or position change of the regularisation, in its units.
-    pub(crate) correction: Vec<Vector<T, D>>,
-}
-
-/// The fields of one particle side by side, so that a sweep fetches one piece of memory a pair.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct State<T: Real, const D: usize> {
-    pub(crate) velocity: Vector<T, D>,
-    /// `n/n0`.
-    pub(crate) density: T,
-    /// `p n0/n` \[Pa\].
-    pub(crate) share: T,
-}
-
-/// As [`State`], for the second sweep: the velocity is the new one.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Flow<T: Real, const D: usize> {
-    pub(crate) velocity: Vector<T, D>,
-    /// Corrected gradient of `n/n0` \[1/m\] (eq. 21).
-    pub(crate) gradient: Vector<T, D>,
-    /// `n/n0`.
-    pub(crate) density: T,
-}
-
-impl<T: Real, const D: usize> Rates<T, D> {
-    pub(crate) fn resize(&mut self, len: usize) {
-        self.state.resize(len, State { velocity: Vector::zeros(), density: T::one(), share: T::zero() });
-        self.flow
-            .resize(len, Flow { velocity: Vector::zeros(), gradient: Vector::zeros(), density: T::one() });
-        self.acceleration.resize(len, Vector::zeros());
-        self.packing.resize(len, T::zero());
-        self.asymmetry.resize(len, Vector::zeros());
-        self.density_rate.resize(len, T::zero());
-        self.correction.resize(len, Vector::zeros());
-    }
 }
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {

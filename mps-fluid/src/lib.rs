@@ -23,6 +23,7 @@ mod open;
 mod packing;
 mod particles;
 mod push;
+mod rates;
 mod regularize;
 mod saved;
 mod search;

@@ -1,9 +1,9 @@
 //! The first sweep of a step: accelerations, the gradient of n and the measures of packing.
 
 use crate::Push;
-use crate::fluid::{Flow, State};
 use crate::gather::Gather;
 use crate::no_slip::NoSlip;
+use crate::rates::{Flow, State};
 use crate::terms::{Viscosity, WallPair};
 use crate::{Boundary, Fluid};
 use fearless_simd::Simd;

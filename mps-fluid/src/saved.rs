@@ -2,8 +2,9 @@
 
 use crate::budget::Books;
 use crate::exchange::Exchange;
-use crate::fluid::{Rates, Stage};
+use crate::fluid::Stage;
 use crate::open::OpenBoundaries;
+use crate::rates::Rates;
 use crate::terms::Viscosity;
 use crate::{Boundary, EnergyBudget, Fluid};
 use mps_kernel::{Kernel, Real, Transfer};

@@ -1,7 +1,7 @@
 //! The power of every cause on each particle: one more visit of the neighbours.
 
-use crate::fluid::{Flow, State};
 use crate::gather::Gather;
+use crate::rates::{Flow, State};
 use crate::terms::Viscosity;
 use crate::{Diffusion, Fluid};
 use fearless_simd::Simd;

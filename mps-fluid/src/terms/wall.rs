@@ -2,7 +2,7 @@
 
 use super::Guard;
 use crate::Boundary;
-use crate::fluid::State;
+use crate::rates::State;
 use mps_kernel::operators::ConservativeGradient;
 use mps_kernel::{Pair, Real, Vector};
 

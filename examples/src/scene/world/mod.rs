@@ -1,15 +1,20 @@
 //! What is stepped: a fluid with walls and bodies, or bodies alone.
 
+mod dry;
+mod wet;
+
+use dry::Dry;
+use wet::Wet;
+
 use super::bodies::body;
 use super::layout::Layout;
-use super::movers::Mover;
 use super::water::{Water, slip, water};
 use super::{Law, Viscous, vector};
 use crate::Failure;
-use mps_coupling::{CouplingError, ElasticBody, Scene, Structure, StructureEnergy};
+use mps_coupling::{ElasticBody, Scene, Structure, StructureEnergy};
 use mps_fluid::{FluidEnergy, Limit};
 use mps_io::scene_file::SceneFile;
-use mps_kernel::{Kernel, Real, Transfer, Vector};
+use mps_kernel::{Kernel, Real, Transfer};
 use mps_neighbors::Parallel;
 use mps_solid::Solid;
 use mps_solid::materials::Ambient;
@@ -26,33 +31,6 @@ pub enum World<T: Real, K: Kernel<T>> {
     Wet(Box<Wet<T, K>>),
     /// Bodies alone.
     Dry(Dry<T>),
-}
-
-/// Fluid, walls and bodies.
-pub struct Wet<T: Real, K: Kernel<T>> {
-    scene: Scene<T, 2, K, Viscous<T>>,
-    movers: Vec<Mover<T>>,
-    /// Number of elastic bodies, which come before the fixed ones.
-    elastic: usize,
-    last_dt: f64,
-    /// Courant number of the scene \[-\].
-    cfl: T,
-}
-
-/// Bodies that do not know of each other.
-pub struct Dry<T: Real> {
-    bodies: Vec<Elastic<T>>,
-    no_force: Vec<Vec<Vector<T, 2>>>,
-    gravity: Vector<T, 2>,
-    /// Sub-steps of each body in an interval, held constant: a symplectic step keeps the energy only as long as it
-    /// does not change.
-    substeps: Vec<usize>,
-    interval: f64,
-    intervals: u64,
-    /// Sub-steps so far, of the body that takes the most.
-    steps: u64,
-    /// How often the sub-steps are halved at present.
-    halvings: u32,
 }
 
 impl<T: Real, K: Kernel<T>> World<T, K> {
@@ -223,89 +201,5 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
             Self::Wet(wet) => wet.scene.energy(parallel),
             Self::Dry(dry) => (FluidEnergy::default(), dry.energy(parallel)),
         }
-    }
-}
-
-impl<T: Real, K: Kernel<T>> Wet<T, K> {
-    fn transfer(&mut self, parallel: &Parallel, transfer: &mut Transfer<'_>) {
-        // Movers take their velocities from the time, and their places are those of the boundary.
-        let Self { scene, movers: _, elastic: _, last_dt, cfl: _ } = self;
-        transfer.within("scene", |transfer| scene.transfer(parallel, transfer));
-        transfer.value("last step", last_dt);
-    }
-
-    /// Shows the fluid the velocities of moved walls.
-    fn show_motions(&mut self) {
-        let time = self.scene.fluid().time().to_double();
-        for mover in &mut self.movers {
-            mover.show(self.scene.fluid_mut().boundary_mut(), time, self.last_dt);
-        }
-    }
-
-    fn step(&mut self, parallel: &Parallel) -> Result<f64, Failure> {
-        self.show_motions();
-        // Whole steps to the end: a shortened one would show as a jump of the energy.
-        let dt = self.scene.step(parallel, T::of(f64::INFINITY))?;
-        for mover in &self.movers {
-            mover.move_on(self.scene.fluid_mut().boundary_mut(), dt);
-        }
-        self.last_dt = dt.to_double();
-        Ok(self.last_dt)
-    }
-}
-
-impl<T: Real> Dry<T> {
-    fn transfer(&mut self, transfer: &mut Transfer<'_>) {
-        // Sub-steps are found from the bodies at the start, as in the run that was saved.
-        let Self { bodies, no_force: _, gravity: _, substeps: _, interval: _, intervals, steps, halvings: _ } =
-            self;
-        transfer.same("bodies", bodies.len());
-        bodies.iter_mut().for_each(|body| body.transfer(transfer));
-        transfer.value("intervals", intervals);
-        transfer.value("sub-steps", steps);
-    }
-
-    fn new(bodies: Vec<Elastic<T>>, gravity: Vector<T, 2>, interval: f64, parallel: &Parallel) -> Self {
-        let substeps = |body: &Elastic<T>| {
-            (interval / body.solid().max_step(parallel).to_double()).ceil().max(1.0) as usize
-        };
-        Self {
-            no_force: bodies.iter().map(|body| vec![Vector::zeros(); body.solid().len()]).collect(),
-            substeps: bodies.iter().map(substeps).collect(),
-            bodies,
-            gravity,
-            interval,
-            intervals: 0,
-            steps: 0,
-            halvings: 0,
-        }
-    }
-
-    fn step(&mut self, parallel: &Parallel) -> Result<f64, Failure> {
-        let (dt, time) = (T::of(self.interval), self.intervals as f64 * self.interval);
-        let bodies = self.bodies.iter_mut().zip(&self.no_force).zip(&self.substeps);
-        for (index, ((body, no_force), substeps)) in bodies.enumerate() {
-            body.advance(parallel, no_force, &self.gravity, dt, substeps << self.halvings)
-                .map_err(|source| CouplingError::Structure { index, time, source })?;
-        }
-        self.intervals += 1;
-        let most = self.most_substeps() << self.halvings;
-        self.steps += most as u64;
-        Ok(self.interval / most as f64)
-    }
-
-    fn most_substeps(&self) -> usize {
-        self.substeps.iter().copied().max().unwrap_or(1)
-    }
-
-    fn energy(&self, parallel: &Parallel) -> StructureEnergy<T> {
-        let mut sum = StructureEnergy::default();
-        for body in &self.bodies {
-            let energy = body.energy(parallel, &self.gravity);
-            sum.kinetic += energy.kinetic;
-            sum.strain += energy.strain;
-            sum.potential += energy.potential;
-        }
-        sum
     }
 }

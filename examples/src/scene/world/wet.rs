@@ -1,0 +1,47 @@
+//! A fluid with walls and bodies.
+
+use crate::Failure;
+use crate::scene::Viscous;
+use crate::scene::movers::Mover;
+use mps_coupling::Scene;
+use mps_kernel::{Kernel, Real, Transfer};
+use mps_neighbors::Parallel;
+
+/// Fluid, walls and bodies.
+pub struct Wet<T: Real, K: Kernel<T>> {
+    pub(super) scene: Scene<T, 2, K, Viscous<T>>,
+    pub(super) movers: Vec<Mover<T>>,
+    /// Number of elastic bodies, which come before the fixed ones.
+    pub(super) elastic: usize,
+    pub(super) last_dt: f64,
+    /// Courant number of the scene \[-\].
+    pub(super) cfl: T,
+}
+
+impl<T: Real, K: Kernel<T>> Wet<T, K> {
+    pub(super) fn transfer(&mut self, parallel: &Parallel, transfer: &mut Transfer<'_>) {
+        // Movers take their velocities from the time, and their places are those of the boundary.
+        let Self { scene, movers: _, elastic: _, last_dt, cfl: _ } = self;
+        transfer.within("scene", |transfer| scene.transfer(parallel, transfer));
+        transfer.value("last step", last_dt);
+    }
+
+    /// Shows the fluid the velocities of moved walls.
+    pub(super) fn show_motions(&mut self) {
+        let time = self.scene.fluid().time().to_double();
+        for mover in &mut self.movers {
+            mover.show(self.scene.fluid_mut().boundary_mut(), time, self.last_dt);
+        }
+    }
+
+    pub(super) fn step(&mut self, parallel: &Parallel) -> Result<f64, Failure> {
+        self.show_motions();
+        // Whole steps to the end: a shortened one would show as a jump of the energy.
+        let dt = self.scene.step(parallel, T::of(f64::INFINITY))?;
+        for mover in &self.movers {
+            mover.move_on(self.scene.fluid_mut().boundary_mut(), dt);
+        }
+        self.last_dt = dt.to_double();
+        Ok(self.last_dt)
+    }
+}
