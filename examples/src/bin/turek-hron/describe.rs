@@ -4,9 +4,9 @@ use crate::geometry::HEIGHT;
 use crate::setup::{DENSITY, RAMP, Settings, VISCOSITY};
 use mps_examples::solid::flag::{CYLINDER, END, LENGTH, RADIUS, Rubber, THICKNESS};
 use mps_io::scene_file::{
-    Body, Clamp, Corners, Disc, DisplacementProbe, Elasticity, Fixed, Fluid, ForceProbe, InitialPressure,
-    Inlet, Material, Measure, Numerics, Outlet, Output, Packing, PressureForm, Probe, Profile, Region,
-    SceneFile, Side, Slip, Solid, Tension, Viscosity, Wall,
+    Body, Clamp, Corners, Diffusion, Disc, DisplacementProbe, Elasticity, Fixed, Fluid, ForceProbe,
+    InitialPressure, Inlet, Material, Measure, Numerics, Outlet, Output, Packing, PressureForm, Probe,
+    Profile, Region, SceneFile, Side, Slip, Solid, Tension, Viscosity, Wall,
 };
 
 /// The scene of these settings.
@@ -100,8 +100,9 @@ fn fluid(settings: &Settings) -> Fluid {
             collisions: false,
             background_pressure: settings.level(),
             pressure_form: PressureForm::Corrected,
-            shifting: 1,
-            density_relaxation: 0.01,
+            diffusion: Diffusion::Filter(settings.diffusion),
+            shifting: settings.shifting,
+            density_relaxation: settings.relaxation,
             ..Numerics::default()
         },
         inlets: vec![Inlet {

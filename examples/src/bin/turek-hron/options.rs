@@ -41,6 +41,15 @@ pub(crate) struct Options {
     /// Level of the pressure over that of the mean inflow: keeps the fluid together where vortices would tear it
     #[arg(long, value_name = "RATIO", default_value_t = 2.0)]
     pub(crate) level: f64,
+    /// Strength of the density diffusion; 0 switches it off
+    #[arg(long, value_name = "DELTA", default_value_t = 0.5)]
+    pub(crate) diffusion: f64,
+    /// Parts of the particle shifting (icPS) in a step; 0 for no shifting
+    #[arg(long, value_name = "K", default_value_t = 1)]
+    pub(crate) shifting: u32,
+    /// How fast densities follow the packing, as a share in the time in which sound passes a spacing
+    #[arg(long, value_name = "SHARE", default_value_t = 0.01)]
+    pub(crate) relaxation: f64,
     /// Print the scene file that is this run, for `mps run`, instead of running it
     #[arg(long)]
     pub(crate) print_scene: bool,
@@ -112,6 +121,24 @@ impl Options {
             self.level,
             "give a level of 0 to 50, e.g. 2; with too little of it the fluid tears behind the cylinder",
         )?;
+        Refused::unless(
+            (0.0..=2.0).contains(&self.diffusion),
+            "--diffusion",
+            self.diffusion,
+            "give a strength between 0 and 2, usual is 0.5",
+        )?;
+        Refused::unless(
+            self.shifting <= 100,
+            "--shifting",
+            self.shifting,
+            "give the number of parts of a shift, 5 in the paper, or 0 for no shifting",
+        )?;
+        Refused::unless(
+            (0.0..=0.03).contains(&self.relaxation),
+            "--relaxation",
+            self.relaxation,
+            "give a share of 0 to 0.03, usual is 0.01; more feeds noise",
+        )?;
         let across = self.across.unwrap_or((THICKNESS / l0).round() as usize);
         Refused::unless(
             (2..=200).contains(&across),
@@ -130,6 +157,9 @@ impl Options {
             cfl: self.cfl,
             radius: self.radius,
             level: self.level,
+            diffusion: self.diffusion,
+            shifting: self.shifting,
+            relaxation: self.relaxation,
         })
     }
 }

@@ -67,6 +67,8 @@ pub(crate) fn summary<T: Real>(settings: &Settings, scene: &Channel<T>, observer
     summary.set("pressure_level_pa", settings.level());
     summary.set("density_diffusion", config.diffusion.delta().to_double());
     summary.set("radius_ratio", config.radius_ratio.to_double());
+    summary.set("shifting_parts", settings.shifting);
+    summary.set("density_relaxation", settings.relaxation);
     let boundary = scene.fluid().boundary();
     summary.particles.insert("fluid".into(), scene.fluid().particles().position.len() as u64);
     summary.particles.insert("wall".into(), boundary.reactive().start as u64);

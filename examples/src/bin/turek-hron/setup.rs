@@ -6,8 +6,8 @@ use mps_coupling::{ElasticBody, Fixed, Scene};
 use mps_examples::Failure;
 use mps_examples::solid::flag::{Clamp, RUBBER, THICKNESS, flag_of};
 use mps_fluid::{
-    Boundary, CompactViscosity, Fluid, FluidConfig, FluidParticles, Inlet, Opening, Outlet, PressureForm,
-    Shifting, Slip, Tension,
+    Boundary, CompactViscosity, Diffusion, Fluid, FluidConfig, FluidParticles, Inlet, Opening, Outlet,
+    PressureForm, Shifting, Slip, Tension,
 };
 use mps_kernel::weights::WendlandGradient;
 use mps_kernel::{Real, Vector};
@@ -50,6 +50,12 @@ pub(crate) struct Settings {
     pub(crate) radius: f64,
     /// Level of the pressure over `rho u^2` of the mean inflow.
     pub(crate) level: f64,
+    /// Strength of the density diffusion, 0 for none.
+    pub(crate) diffusion: f64,
+    /// Parts of the particle shifting in a step, 0 for none.
+    pub(crate) shifting: u32,
+    /// Share of the difference to the packing by which a density changes while sound passes a spacing.
+    pub(crate) relaxation: f64,
 }
 
 impl Settings {
@@ -107,8 +113,13 @@ fn water<T: Real>(
     let level = T::of(settings.level());
     config.background_pressure = level;
     config.pressure_form = PressureForm::Corrected;
-    config.shifting = Some(Shifting { iterations: 1, ..Shifting::default() });
-    config.density_relaxation = T::of(0.01);
+    config.diffusion = match settings.diffusion {
+        delta if delta > 0.0 => Diffusion::Filter { delta: T::of(delta) },
+        _ => Diffusion::None,
+    };
+    config.shifting =
+        (settings.shifting > 0).then(|| Shifting { iterations: settings.shifting, ..Shifting::default() });
+    config.density_relaxation = T::of(settings.relaxation);
     let particles = FluidParticles::at_rest(geometry::water(settings));
     let mut boundary = Boundary::default();
     boundary.add_wall(&geometry::walls(settings), Slip::None);
