@@ -48,6 +48,8 @@ pub struct Count {
     pub total: f64,
     /// Those of each file of the workspace, as `mps-fluid/src/momentum.rs`; what is inlined counts where it was written.
     pub by_file: BTreeMap<String, f64>,
+    /// Those of the sweeps, wherever they were written: of the functions that are compiled for vector instructions.
+    pub sweeps: f64,
 }
 
 impl Count {
@@ -82,7 +84,8 @@ pub fn per_step(program: &Path, subject: &str) -> Result<Count, CountError> {
     let mean = |more: u64, fewer: u64| (more as f64 - fewer as f64) / (many - few) as f64;
     let fewer_in = |file: &String| fewer.by_file.get(file).copied().unwrap_or(0);
     let by_file = more.by_file.iter().map(|(file, n)| (file.clone(), mean(*n, fewer_in(file)))).collect();
-    Ok(Count { total: mean(more.total, fewer.total), by_file })
+    let (total, sweeps) = (mean(more.total, fewer.total), mean(more.sweeps, fewer.sweeps));
+    Ok(Count { total, by_file, sweeps })
 }
 
 /// What a whole run took.
@@ -90,6 +93,7 @@ pub fn per_step(program: &Path, subject: &str) -> Result<Count, CountError> {
 struct Whole {
     total: u64,
     by_file: BTreeMap<String, u64>,
+    sweeps: u64,
 }
 
 fn count(program: &Path, subject: &str, steps: u64) -> Result<Whole, CountError> {
@@ -124,17 +128,22 @@ fn run(command: &mut Command) -> Result<Output, CountError> {
 /// Lines `fl=FILE`, `fn=FUNCTION`, and below them `LINE COUNT`; at the end `summary: COUNT`.
 fn read(text: &str) -> Result<Whole, String> {
     let mut whole = Whole::default();
-    let mut file = None;
+    let (mut file, mut vectorized) = (None, false);
     for line in text.lines() {
         if let Some(name) = line.strip_prefix("fl=") {
             file = workspace_file(name);
         } else if let Some(sum) = line.strip_prefix("summary:") {
             whole.total = sum.trim().parse().map_err(|_| format!("no number in '{line}'"))?;
-        } else if let (Some(file), Some((place, n))) = (&file, line.split_once(' '))
+        } else if let Some(name) = line.strip_prefix("fn=") {
+            vectorized = name.contains("vectorize");
+        } else if let Some((place, n)) = line.split_once(' ')
             && place.bytes().all(|byte| byte.is_ascii_digit())
         {
             let n: u64 = n.trim().parse().map_err(|_| format!("no number in '{line}'"))?;
-            *whole.by_file.entry(file.clone()).or_default() += n;
+            if let Some(file) = &file {
+                *whole.by_file.entry(file.clone()).or_default() += n;
+            }
+            whole.sweeps += if vectorized { n } else { 0 };
         }
     }
     if whole.total == 0 { Err("it has no summary".to_owned()) } else { Ok(whole) }
@@ -153,10 +162,10 @@ mod tests {
     #[test]
     fn counts_are_added_up_by_file() {
         let text = "desc: x\nevents: Ir\nfl=/a/mps-fluid/src/fluid.rs\nfn=f\n3 10\n4 5\nfl=/rust/core/cell.rs\nfn=g\n1 7\n\
-                    fl=mps-fluid/src/fluid.rs\nfn=h\n3 1\nsummary: 23\n";
+                    fl=mps-fluid/src/fluid.rs\nfn=vectorize_avx2\n3 1\nsummary: 23\n";
         let whole = read(text).unwrap_or_default();
         assert_eq!((whole.total, whole.by_file.get("mps-fluid/src/fluid.rs")), (23, Some(&16)));
-        assert_eq!(whole.by_file.len(), 1);
+        assert_eq!((whole.by_file.len(), whole.sweeps), (1, 1));
         assert!(read("events: Ir\n").is_err());
     }
 }

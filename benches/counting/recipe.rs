@@ -85,8 +85,8 @@ impl Physics {
         match self {
             Self::Walls => &["mps-fluid/src/terms/wall.rs", "mps-fluid/src/terms/guard.rs"],
             Self::NoSlip => &["mps-fluid/src/no_slip.rs"],
-            Self::Artificial | Self::Laminar => &["mps-fluid/src/terms/viscosity.rs"],
-            Self::Filter | Self::Hydrostatic => &["mps-kernel/src/operators/diffusion"],
+            // Formulas of lanes: their instructions belong to the files of the lanes.
+            Self::Artificial | Self::Laminar | Self::Filter | Self::Hydrostatic => &[],
             Self::Collisions => &["mps-fluid/src/regularize/dpc.rs"],
             Self::Shifting => &["mps-fluid/src/regularize/icps.rs"],
             Self::Corrected => &["mps-fluid/src/correction.rs"],
@@ -122,7 +122,7 @@ impl Recipe {
     }
 
     /// Switches on what it has and off what it has not.
-    pub(super) fn configure<T: Real, const D: usize>(self, config: &mut FluidConfig<T, D>) {
+    pub fn configure<T: Real, const D: usize>(self, config: &mut FluidConfig<T, D>) {
         if !self.has(Physics::Collisions) {
             config.collisions = None;
         }

@@ -2,6 +2,7 @@
 //!
 //! Steps are so short that nothing moves: the rows stay, and every step does the same work. Everything runs on one thread.
 
+use super::lean::Lean;
 use super::recipe::{Physics, Recipe};
 use crate::{RADIUS_RATIO, SKIN_RATIO, SPACING, artificial, disordered, rubber, tank_with};
 use mps_coupling::{ElasticBody, Scene};
@@ -39,9 +40,11 @@ pub struct Entry {
 pub fn entries() -> Vec<Entry> {
     let mut all = Vec::new();
     fluids::<f64, 2>(&mut all, "2d/f64", PLANE);
+    options(&mut all, "2d/f64", PLANE);
     coupled(&mut all, "2d/f64", PLANE);
     fluids::<f32, 2>(&mut all, "2d/f32", PLANE);
     fluids::<f64, 3>(&mut all, "3d/f64", SPACE);
+    options(&mut all, "3d/f64", SPACE);
     coupled(&mut all, "3d/f64", SPACE);
     all
 }
@@ -50,17 +53,27 @@ fn add(all: &mut Vec<Entry>, name: String, make: impl Fn() -> Subject + 'static)
     all.push(Entry { name, make: Box::new(make) });
 }
 
-/// Steps of the fluid with one physics each, with what the elastic gate has, and its sweeps one by one.
+/// Steps of the fluid with nothing and with what the elastic gate has, and its sweeps one by one.
 fn fluids<T: Real, const D: usize>(all: &mut Vec<Entry>, prefix: &str, cells: [usize; D]) {
     let mut step =
         |name: &str, recipe| add(all, format!("{prefix}/{name}"), move || fluid::<T, D>(cells, recipe));
     step("bare", Recipe(&[]));
+    step("gate", Recipe::GATE);
+    add(all, format!("{prefix}/lean"), move || {
+        let (mut lean, parallel) = (Lean::<T, D>::of(&tank(cells, Recipe(&[]), |_, _| ())), Parallel::serial());
+        repeated(lean.particles(), move || lean.sweep(&parallel))
+    });
+    sweeps::<T, D>(all, prefix, cells);
+}
+
+/// Steps of the fluid with one physics each.
+fn options<const D: usize>(all: &mut Vec<Entry>, prefix: &str, cells: [usize; D]) {
+    let mut step =
+        |name: &str, recipe| add(all, format!("{prefix}/{name}"), move || fluid::<f64, D>(cells, recipe));
     for physics in Physics::ALL.iter().filter(|physics| **physics != Physics::Structure) {
         step(physics.name(), Recipe(core::slice::from_ref(physics)));
     }
-    step("gate", Recipe::GATE);
     step("walls+laminar-viscosity", Recipe(&[Physics::Walls, Physics::Laminar]));
-    sweeps::<T, D>(all, prefix, cells);
 }
 
 /// Steps of a fluid with the viscosity of the recipe.
