@@ -9,7 +9,8 @@ fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     let variable = |name: &str| std::env::var(name).unwrap_or_default();
     let version = Command::new(variable("RUSTC")).arg("--version").output();
-    let version = version.map_or_else(|_| String::new(), |output| String::from_utf8_lossy(&output.stdout).into());
+    let version =
+        version.map_or_else(|_| String::new(), |output| String::from_utf8_lossy(&output.stdout).into());
     println!("cargo::rustc-env=MPS_RUSTC={}", version.trim());
     // Cargo names only the profile one inherits from; the folder has the name of its own: <profile>/build/<package>/out.
     let out = variable("OUT_DIR");

@@ -159,7 +159,8 @@ pub fn tank_with<T: Real, const D: usize, V: Viscosity<T, D>>(
         boundary.add_wall(&tank_walls::<T, D>(cells), slip).expect("walls come first");
     }
     let described = config.clone();
-    Fluid::new(config, Rational, |r| viscosity(&described, r), Open, particles, boundary).expect("a valid tank")
+    Fluid::new(config, Rational, |r| viscosity(&described, r), Open, particles, boundary)
+        .expect("a valid tank")
 }
 
 /// Three layers of points below and beside the tank.

@@ -19,7 +19,9 @@ pub(crate) fn kept() -> Result<Table, Failure> {
 /// Fails if a count differs from the one that is kept.
 pub(crate) fn check() -> Result<(), Failure> {
     if !available() {
-        println!("NOT COUNTED: there is no valgrind here (Debian: apt install valgrind). Nothing was checked.");
+        println!(
+            "NOT COUNTED: there is no valgrind here (Debian: apt install valgrind). Nothing was checked."
+        );
         return Ok(());
     }
     let (kept, now) = (kept()?, count()?);

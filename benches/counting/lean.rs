@@ -125,8 +125,7 @@ impl<'b, T: Real, const D: usize> Sweep<&'b mut [T]> for Continuity<'_, T, D> {
         for pair in self.neighbors.packs(simd, i) {
             let j = pair.j.as_ref();
             let density = T::Lanes::gather(simd, |lane| self.state[j[lane]].density);
-            let velocity: Vector<T::Lanes<S>, D> =
-                by_axis!(axis => T::Lanes::gather(simd, |lane| components(&self.state[j[lane]].velocity)[axis]));
+            let velocity: Vector<T::Lanes<S>, D> = by_axis!(axis => T::Lanes::gather(simd, |lane| components(&self.state[j[lane]].velocity)[axis]));
             inflow -= density * Divergence::pair(&own.velocity, &velocity, &pair);
         }
         *rate = inflow.sum() * self.factor;

@@ -104,8 +104,7 @@ pub struct Recipe(pub &'static [Physics]);
 
 impl Recipe {
     /// What the elastic gate has, without the gate.
-    pub const GATE: Self =
-        Self(&[Physics::Walls, Physics::Artificial, Physics::Filter, Physics::Collisions]);
+    pub const GATE: Self = Self(&[Physics::Walls, Physics::Artificial, Physics::Filter, Physics::Collisions]);
 
     /// Whether it has this.
     pub fn has(self, physics: Physics) -> bool {

@@ -6,7 +6,9 @@ use super::lean::Lean;
 use super::recipe::{Physics, Recipe};
 use crate::{RADIUS_RATIO, SKIN_RATIO, SPACING, artificial, disordered, rubber, tank_with};
 use mps_coupling::{ElasticBody, Scene};
-use mps_fluid::{Fluid, FluidConfig, FluidParticles, Inlet, LaminarViscosity, Opening, Outlet, Slip, Viscosity};
+use mps_fluid::{
+    Fluid, FluidConfig, FluidParticles, Inlet, LaminarViscosity, Opening, Outlet, Slip, Viscosity,
+};
 use mps_kernel::weights::Rational;
 use mps_kernel::{Real, ReferenceDensity, Vector};
 use mps_neighbors::{Cells, Open, Parallel, Permutation, Rows};
@@ -60,7 +62,8 @@ fn fluids<T: Real, const D: usize>(all: &mut Vec<Entry>, prefix: &str, cells: [u
     step("bare", Recipe(&[]));
     step("gate", Recipe::GATE);
     add(all, format!("{prefix}/lean"), move || {
-        let (mut lean, parallel) = (Lean::<T, D>::of(&tank(cells, Recipe(&[]), |_, _| ())), Parallel::serial());
+        let (mut lean, parallel) =
+            (Lean::<T, D>::of(&tank(cells, Recipe(&[]), |_, _| ())), Parallel::serial());
         repeated(lean.particles(), move || lean.sweep(&parallel))
     });
     sweeps::<T, D>(all, prefix, cells);
@@ -148,7 +151,8 @@ fn sweeps<T: Real, const D: usize>(all: &mut Vec<Entry>, prefix: &str, cells: [u
     let reach = T::of((RADIUS_RATIO + SKIN_RATIO) * SPACING);
     add(all, format!("{prefix}/search/sort"), move || {
         let mut particles = FluidParticles::at_rest(disordered::<T, D>(cells));
-        let (mut grid, mut permutation, parallel) = (Cells::new(), Permutation::default(), Parallel::serial());
+        let (mut grid, mut permutation, parallel) =
+            (Cells::new(), Permutation::default(), Parallel::serial());
         repeated(particles.position.len(), move || {
             grid.build(&parallel, &Open, &particles.position, reach).expect("finite positions");
             permutation.apply(&mut particles, grid.order()).expect("an order");

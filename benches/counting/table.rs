@@ -26,15 +26,16 @@ pub struct Table {
 
 /// What is wrong with a table.
 #[derive(Debug, Error)]
-#[error("line {line} of the table of counts is '{text}', expected {expected}; write it anew with `count store`")]
+#[error(
+    "line {line} of the table of counts is '{text}', expected {expected}; write it anew with `count store`"
+)]
 pub struct TableError {
     line: usize,
     text: String,
     expected: &'static str,
 }
 
-const HEAD: &str =
-    "# Instructions a particle and step, and bytes a particle. Written by `count store`, held by `count check`.";
+const HEAD: &str = "# Instructions a particle and step, and bytes a particle. Written by `count store`, held by `count check`.";
 const PROFILES: [&str; 2] = ["debug", "release"];
 
 impl Table {
@@ -47,7 +48,8 @@ impl Table {
         for (number, line) in text.lines().enumerate() {
             let fault = |expected| TableError { line: number + 1, text: line.to_owned(), expected };
             if let Some(comment) = line.strip_prefix("# ") {
-                if let Some((profile, with)) = comment.split_once(": ").filter(|(p, _)| PROFILES.contains(p)) {
+                if let Some((profile, with)) = comment.split_once(": ").filter(|(p, _)| PROFILES.contains(p))
+                {
                     table.builds.insert(profile.to_owned(), with.to_owned());
                 }
             } else if !line.starts_with("subject,") {
@@ -56,7 +58,8 @@ impl Table {
                 if counts.len() != PROFILES.len() {
                     return Err(fault("a name, two counts and bytes"));
                 }
-                let mut row = Row { bytes: bytes.parse().map_err(|_| fault("bytes last"))?, ..Row::default() };
+                let mut row =
+                    Row { bytes: bytes.parse().map_err(|_| fault("bytes last"))?, ..Row::default() };
                 for (profile, count) in PROFILES.iter().zip(counts).filter(|(_, count)| !count.is_empty()) {
                     let count = count.parse().map_err(|_| fault("a number of instructions"))?;
                     row.instructions.insert((*profile).to_owned(), count);
@@ -107,6 +110,8 @@ mod tests {
         let text = table.text();
         assert!(text.ends_with("2d/f64/bare,812.25,,345.5\n"), "{text}");
         assert!(Table::parse(&text).is_ok_and(|read| read == table));
-        assert!(Table::parse("2d/f64/bare,many,,1\n").is_err_and(|error| error.to_string().contains("line 1")));
+        assert!(
+            Table::parse("2d/f64/bare,many,,1\n").is_err_and(|error| error.to_string().contains("line 1"))
+        );
     }
 }

@@ -1,7 +1,12 @@
 //! What is absent costs nothing: counted, not timed.
 //!
 //! Needs valgrind, hence not among the tests that run anywhere: `cargo test -p mps-benches --test absent -- --ignored`.
-#![allow(clippy::unwrap_used, clippy::panic, clippy::print_stderr, reason = "helpers of tests may fail the test")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::print_stderr,
+    reason = "helpers of tests may fail the test"
+)]
 
 use mps_benches::counting::{Count, Entry, Lean, Physics, Recipe, available, entries, per_step};
 use mps_benches::tank_with;
@@ -23,7 +28,9 @@ fn particles(name: &str) -> f64 {
 /// Without valgrind there is nothing to say, and that is said.
 fn possible() -> bool {
     if !available() {
-        eprintln!("NOT COUNTED: there is no valgrind here (Debian: apt install valgrind). Nothing was tested.");
+        eprintln!(
+            "NOT COUNTED: there is no valgrind here (Debian: apt install valgrind). Nothing was tested."
+        );
     }
     available()
 }
@@ -42,7 +49,10 @@ fn the_files_of_absent_physics_are_not_visited_particle_by_particle() {
             let name = format!("{prefix}/{}", physics.name());
             let (absent, present) = (bare.of(physics.sources()), count(&name).of(physics.sources()));
             assert!(absent <= ASKING, "without {name} its files take {absent} instructions a step");
-            assert!(present > 0.1 * particles(&name), "with {name} its files take {present} a step: are they its files?");
+            assert!(
+                present > 0.1 * particles(&name),
+                "with {name} its files take {present} a step: are they its files?"
+            );
         }
     }
 }
@@ -84,7 +94,10 @@ fn a_scene_without_structures_is_its_fluid() {
     }
     for prefix in ["2d/f64", "3d/f64"] {
         let more = count(&format!("{prefix}/scene")).total - count(&format!("{prefix}/bare")).total;
-        assert!((0.0..ASKING).contains(&more), "{prefix}: a scene takes {more} instructions a step more than its fluid");
+        assert!(
+            (0.0..ASKING).contains(&more),
+            "{prefix}: a scene takes {more} instructions a step more than its fluid"
+        );
     }
 }
 
