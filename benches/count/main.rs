@@ -75,7 +75,8 @@ fn run(name: &str, steps: usize) -> Result<(), Failure> {
 fn show(name: &str) -> Result<(), Failure> {
     let particles = (entry(name)?.make)().particles as f64;
     let count = per_step(&std::env::current_exe()?, name)?;
-    println!("{:10.2} instructions a particle and step, of these in", count.total / particles);
+    println!("{:10.2} instructions a particle and step", count.total / particles);
+    println!("{:10.2} of them in sweeps, and of all in", count.sweeps / particles);
     let mut files: Vec<_> = count.by_file.iter().filter(|(_, n)| **n > 0.0).collect();
     files.sort_by(|a, b| b.1.total_cmp(a.1));
     for (file, n) in files {

@@ -154,18 +154,3 @@ fn workspace_file(path: &str) -> Option<String> {
     let begin = path.find("mps-").filter(|at| path[*at..].contains("/src/"))?;
     Some(path[begin..].to_owned())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::read;
-
-    #[test]
-    fn counts_are_added_up_by_file() {
-        let text = "desc: x\nevents: Ir\nfl=/a/mps-fluid/src/fluid.rs\nfn=f\n3 10\n4 5\nfl=/rust/core/cell.rs\nfn=g\n1 7\n\
-                    fl=mps-fluid/src/fluid.rs\nfn=vectorize_avx2\n3 1\nsummary: 23\n";
-        let whole = read(text).unwrap_or_default();
-        assert_eq!((whole.total, whole.by_file.get("mps-fluid/src/fluid.rs")), (23, Some(&16)));
-        assert_eq!((whole.by_file.len(), whole.sweeps), (1, 1));
-        assert!(read("events: Ir\n").is_err());
-    }
-}

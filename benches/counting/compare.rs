@@ -58,33 +58,3 @@ pub fn differences(kept: &Table, now: &Table, profile: &str) -> Vec<Difference> 
     }
     found
 }
-
-#[cfg(test)]
-mod tests {
-    use super::differences;
-    use crate::counting::Table;
-
-    fn table(counts: &[(&str, f64, f64)]) -> Table {
-        let line = |(name, count, bytes): &(&str, f64, f64)| format!("{name},{count},,{bytes}\n");
-        Table::parse(&counts.iter().map(line).collect::<String>()).unwrap_or_default()
-    }
-
-    #[test]
-    fn what_rises_falls_comes_or_goes_is_told() {
-        let kept = table(&[("a", 100.0, 8.0), ("b", 100.0, 8.0), ("c", 100.0, 8.0), ("gone", 1.0, 1.0)]);
-        let now = table(&[("a", 102.1, 8.0), ("b", 97.9, 9.0), ("c", 101.9, 8.1), ("new", 5.0, 1.0)]);
-        let told: Vec<String> = differences(&kept, &now, "debug").iter().map(ToString::to_string).collect();
-        assert_eq!(
-            told,
-            [
-                "a: instructions rose from 100.00 to 102.10 a particle (+2.1 %)",
-                "b: instructions fell from 100.00 to 97.90 a particle (-2.1 %)",
-                "b: bytes rose from 8.00 to 9.00 a particle (+12.5 %)",
-                "new: instructions 5.00 a particle, never counted before",
-                "new: bytes 1.00 a particle, never counted before",
-                "gone: instructions kept, but nothing of this name is counted",
-            ]
-        );
-        assert!(differences(&now, &now, "debug").is_empty());
-    }
-}

@@ -96,22 +96,3 @@ impl Table {
         self.rows.iter().find(|(kept, _)| kept == name).map(|(_, row)| row)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{Row, Table};
-
-    #[test]
-    fn a_table_comes_back_as_it_was_written() {
-        let mut table = Table::default();
-        table.builds.insert("debug".to_owned(), "rustc 1.95.0 (x), AVX2".to_owned());
-        let row = Row { instructions: [("debug".to_owned(), 812.25)].into(), bytes: 345.5 };
-        table.rows.push(("2d/f64/bare".to_owned(), row));
-        let text = table.text();
-        assert!(text.ends_with("2d/f64/bare,812.25,,345.5\n"), "{text}");
-        assert!(Table::parse(&text).is_ok_and(|read| read == table));
-        assert!(
-            Table::parse("2d/f64/bare,many,,1\n").is_err_and(|error| error.to_string().contains("line 1"))
-        );
-    }
-}
