@@ -52,7 +52,7 @@ pub(super) fn prices(active: &[(&str, Priced)]) -> String {
                 writeln!(text, "               {instructions:+.0} instructions, {bytes:+.0} bytes: {what}");
         }
     }
-    let _ = writeln!(text, "               what is absent takes no instruction a particle");
+    let _ = writeln!(text, "               what is absent takes none in the loops over pairs");
     text
 }
 
