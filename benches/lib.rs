@@ -6,15 +6,17 @@
 // A scene that cannot be built is a mistake in the benchmark: nothing to recover from.
 #![allow(clippy::expect_used)]
 
+pub mod counting;
+
 use core::time::Duration;
 use criterion::Criterion;
 use mps_coupling::{ElasticBody, Scene};
 use mps_fluid::{
     ArtificialViscosity, Boundary, Diffusion, EquationOfState, Fluid, FluidConfig, FluidParticles, Shifting,
-    Slip,
+    Slip, Viscosity,
 };
 use mps_kernel::weights::{Rational, WendlandC2};
-use mps_kernel::{Real, Vector};
+use mps_kernel::{Real, ReferenceDensity, Vector};
 use mps_neighbors::{Open, Parallel};
 use mps_solid::body::{Face, block, counts};
 use mps_solid::materials::CorotationalHooke;
@@ -23,7 +25,7 @@ use mps_solid::{Solid, SolidConfig};
 /// A fluid as the elastic gate uses it.
 pub type Water<T, const D: usize> = Fluid<T, D, Rational, ArtificialViscosity<T>>;
 /// A rubber body.
-pub type Rubber = Solid<f64, 2, CorotationalHooke<f64>, WendlandC2>;
+pub type Rubber<const D: usize = 2> = Solid<f64, D, CorotationalHooke<f64>, WendlandC2>;
 /// Water and the gate.
 pub type GateScene = Scene<f64, 2, Rational, ArtificialViscosity<f64>>;
 
@@ -109,19 +111,40 @@ impl Features {
 
 /// A tank of water under gravity, disordered and slightly in motion.
 pub fn tank<T: Real, const D: usize>(cells: [usize; D], features: Features) -> Water<T, D> {
+    let configure = |config: &mut FluidConfig<T, D>| {
+        if !features.collisions {
+            config.collisions = None;
+        }
+        if !features.diffusion {
+            config.diffusion = Diffusion::None;
+        }
+        if features.shifting > 0 {
+            config.shifting = Some(Shifting { iterations: features.shifting, ..Shifting::default() });
+        }
+    };
+    tank_with(cells, features.walls.then_some(Slip::Free), configure, artificial)
+}
+
+/// The viscosity of the gate.
+pub fn artificial<T: Real, const D: usize>(
+    config: &FluidConfig<T, D>,
+    reference: &ReferenceDensity<T>,
+) -> ArtificialViscosity<T> {
+    ArtificialViscosity::new::<D>(T::of(0.02), config.sound_speed, reference)
+}
+
+/// As [`tank`], with any numerics, any viscosity, and walls of the given slip or none.
+pub fn tank_with<T: Real, const D: usize, V: Viscosity<T, D>>(
+    cells: [usize; D],
+    walls: Option<Slip>,
+    configure: impl FnOnce(&mut FluidConfig<T, D>),
+    viscosity: impl FnOnce(&FluidConfig<T, D>, &ReferenceDensity<T>) -> V,
+) -> Fluid<T, D, Rational, V> {
     let height = cells[D - 1] as f64 * SPACING;
     let sound_speed = 10.0 * (2.0 * GRAVITY * height).sqrt();
     let mut config = FluidConfig::<T, D>::water(T::of(SPACING), T::of(sound_speed));
     config.gravity[D - 1] = T::of(-GRAVITY);
-    if !features.collisions {
-        config.collisions = None;
-    }
-    if !features.diffusion {
-        config.diffusion = Diffusion::None;
-    }
-    if features.shifting > 0 {
-        config.shifting = Some(Shifting { iterations: features.shifting, ..Shifting::default() });
-    }
+    configure(&mut config);
     let mut particles = FluidParticles::at_rest(disordered::<T, D>(cells));
     let eos = config.equation_of_state();
     for i in 0..particles.position.len() {
@@ -132,19 +155,12 @@ pub fn tank<T: Real, const D: usize>(cells: [usize; D], features: Features) -> W
         }
     }
     let mut boundary = Boundary::default();
-    if features.walls {
-        boundary.add_wall(&tank_walls::<T, D>(cells), Slip::Free).expect("walls come first");
+    if let Some(slip) = walls {
+        boundary.add_wall(&tank_walls::<T, D>(cells), slip).expect("walls come first");
     }
-    let c = config.sound_speed;
-    Fluid::new(
-        config,
-        Rational,
-        |reference| ArtificialViscosity::new::<D>(T::of(0.02), c, reference),
-        Open,
-        particles,
-        boundary,
-    )
-    .expect("a valid tank")
+    let described = config.clone();
+    Fluid::new(config, Rational, |r| viscosity(&described, r), Open, particles, boundary)
+        .expect("a valid tank")
 }
 
 /// Three layers of points below and beside the tank.
@@ -164,8 +180,8 @@ fn tank_walls<T: Real, const D: usize>(cells: [usize; D]) -> Vec<Vector<T, D>> {
 }
 
 /// A rubber block, clamped at its top.
-pub fn rubber(lower: [f64; 2], upper: [f64; 2], cells: [usize; 2]) -> Rubber {
-    let body = block(lower.into(), upper.into(), cells, &[Face::upper(1)]).expect("a valid block");
+pub fn rubber<const D: usize>(lower: [f64; D], upper: [f64; D], cells: [usize; D]) -> Rubber<D> {
+    let body = block(lower.into(), upper.into(), cells, &[Face::upper(D - 1)]).expect("a valid block");
     let material = CorotationalHooke::new(7.8e6, 0.47).expect("valid rubber");
     let (config, serial) = (SolidConfig::default(), Parallel::serial());
     Solid::new(body.particles, body.spacing, 1100.0, material, WendlandC2, config, &serial)

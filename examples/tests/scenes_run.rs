@@ -128,6 +128,10 @@ fn a_plan_says_what_a_run_will_be_and_a_run_keeps_its_scene() {
         "Mach number    0.09 expected",
         "limited by sound\n",
         "sub-steps      ",
+        "price          by the table",
+        " bytes: collisions (DPC)\n",
+        " bytes: elastic bodies\n",
+        " ns a particle of fluid, measured here with 1 threads\n",
         "wall time      about ",
         "contact of bodies, surface tension",
     ] {

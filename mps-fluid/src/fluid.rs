@@ -291,7 +291,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     }
 
     /// Sum of weights over `n0` of each particle \[-\], as last measured by
-    /// [`measure_packing`](Self::measure_packing).
+    /// [`measure_packing`](Self::measure_packing); empty before that.
     pub fn packing(&self) -> &[T] {
         &self.rates.packing
     }

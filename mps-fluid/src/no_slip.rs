@@ -22,7 +22,7 @@ const NEAREST: f64 = 0.5;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct NoSlip<'a, T: Real, const D: usize> {
     boundary: &'a Boundary<T, D>,
-    /// `q_i` \[1/m\].
+    /// `q_i` \[1/m\]; empty if the fluid sticks to no wall.
     toward_wall: &'a [Vector<T, D>],
 }
 
@@ -33,7 +33,10 @@ impl<T: Real, const D: usize> NoSlip<'_, T, D> {
         match self.boundary.shear[pair.j] {
             Shear::Free => T::zero(),
             Shear::Fluid => self.boundary.volume[pair.j],
-            Shear::Wall => self.boundary.volume[pair.j] * self.toward_wall[i].dot(&pair.r_ij).max(T::zero()),
+            // Without viscosity nobody has looked where the wall is.
+            Shear::Wall => self.toward_wall.get(i).map_or(T::zero(), |toward| {
+                self.boundary.volume[pair.j] * toward.dot(&pair.r_ij).max(T::zero())
+            }),
         }
     }
 }
@@ -41,14 +44,14 @@ impl<T: Real, const D: usize> NoSlip<'_, T, D> {
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
     /// Finds where the walls without slip are, for every particle.
     pub(crate) fn locate_walls(&mut self, parallel: &Parallel) {
+        if !(self.viscosity.kinematic() > T::zero() && self.boundary.shear.contains(&Shear::Wall)) {
+            return;
+        }
         let mut toward_wall = core::mem::take(&mut self.rates.toward_wall);
         toward_wall.resize(self.particles.position.len(), Vector::zeros());
-        if self.viscosity.kinematic() > T::zero() && self.boundary.shear.contains(&Shear::Wall) {
-            let walls = self.boundary_view();
-            let spacing = self.config.spacing;
-            parallel
-                .update(toward_wall.as_mut_slice(), |i, q| *q = locate(i, &walls, &self.boundary, spacing));
-        }
+        let walls = self.boundary_view();
+        let spacing = self.config.spacing;
+        parallel.update(toward_wall.as_mut_slice(), |i, q| *q = locate(i, &walls, &self.boundary, spacing));
         self.rates.toward_wall = toward_wall;
     }
 

@@ -21,6 +21,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if self.search.fluid.len() != self.particles.position.len() {
             self.search.rebuild(parallel, &self.domain, &mut self.particles, &self.boundary)?;
         }
+        self.rates.resize_packing(self.particles.position.len());
         let mut packing = core::mem::take(&mut self.rates.packing);
         let mut asymmetry = core::mem::take(&mut self.rates.asymmetry);
         let sweep = Packing {

@@ -12,9 +12,10 @@ pub(crate) struct Rates<T: Real, const D: usize> {
     pub(crate) flow: Vec<Flow<T, D>>,
     /// Acceleration \[m/s^2\].
     pub(crate) acceleration: Vec<Vector<T, D>>,
-    /// Sum of weights over `n0` \[-\], from positions alone.
+    /// Sum of weights over `n0` \[-\], from positions alone; empty until it is measured.
     pub(crate) packing: Vec<T>,
-    /// `(D/n0) sum e_ij W_ij/r` \[1/m\]: zero inside, points into the fluid at its surface.
+    /// `(D/n0) sum e_ij W_ij/r` \[1/m\]: zero inside, points into the fluid at its surface. Measured with
+    /// the packing.
     pub(crate) asymmetry: Vec<Vector<T, D>>,
     /// Rate of `n/n0` \[1/s\], or any scalar scratch.
     pub(crate) density_rate: Vec<T>,
@@ -22,9 +23,9 @@ pub(crate) struct Rates<T: Real, const D: usize> {
     pub(crate) pressure_correction: Vec<Tensor<T, D>>,
     /// `S_i = (p_i n0/n_i) C_i` \[Pa\]; empty in the plain form.
     pub(crate) stress: Vec<Tensor<T, D>>,
-    /// Where the wall is to which the fluid sticks: see [`NoSlip`](crate::no_slip::NoSlip).
+    /// Where the wall is to which the fluid sticks: see [`NoSlip`](crate::no_slip::NoSlip). Empty if it sticks to none.
     pub(crate) toward_wall: Vec<Vector<T, D>>,
-    /// Velocity or position change of the regularisation, in its units.
+    /// Velocity or position change of the regularisation, in its units; empty without any.
     pub(crate) correction: Vec<Vector<T, D>>,
 }
 
@@ -54,9 +55,14 @@ impl<T: Real, const D: usize> Rates<T, D> {
         self.flow
             .resize(len, Flow { velocity: Vector::zeros(), gradient: Vector::zeros(), density: T::one() });
         self.acceleration.resize(len, Vector::zeros());
+        self.density_rate.resize(len, T::zero());
+        // What not every fluid needs is left to those who do; a packing that has been measured stays one a particle.
+        if !self.packing.is_empty() {
+            self.resize_packing(len);
+        }
+    }
+    pub(crate) fn resize_packing(&mut self, len: usize) {
         self.packing.resize(len, T::zero());
         self.asymmetry.resize(len, Vector::zeros());
-        self.density_rate.resize(len, T::zero());
-        self.correction.resize(len, Vector::zeros());
     }
 }

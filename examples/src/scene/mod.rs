@@ -35,6 +35,7 @@ mod observer;
 mod openings;
 mod plan;
 mod plot;
+mod price;
 mod print;
 mod probes;
 mod report;

@@ -1,9 +1,10 @@
 //! What a run will be and cost, measured by its first steps.
 
 use super::disk::{field_bytes, field_frames};
+use super::price::{Priced, prices};
 use super::{Diagnosis, Layout, World};
 use crate::{Common, Failure, Precision};
-use mps_io::scene_file::{Diffusion, PressureForm, SceneFile, Viscosity, Weight};
+use mps_io::scene_file::{Diffusion, PressureForm, SceneFile, Slip, Viscosity, Weight};
 use mps_kernel::weights::{Rational, WendlandC2, WendlandGradient};
 use mps_kernel::{Kernel, Real};
 use mps_neighbors::Parallel;
@@ -67,6 +68,8 @@ struct Measured {
     dt: f64,
     /// Seconds that one second of simulated time takes.
     pace: f64,
+    /// Seconds that one step takes.
+    step: f64,
 }
 
 fn measure<T: Real, K: Kernel<T>>(world: &mut World<T, K>, parallel: &Parallel) -> Result<Measured, Failure> {
@@ -79,7 +82,8 @@ fn measure<T: Real, K: Kernel<T>>(world: &mut World<T, K>, parallel: &Parallel) 
     }
     let simulated = world.time() - begin;
     let seconds = clock.elapsed().as_secs_f64();
-    Ok(Measured { dt: simulated / (world.steps() - first) as f64, pace: seconds / simulated })
+    let steps = (world.steps() - first) as f64;
+    Ok(Measured { dt: simulated / steps, pace: seconds / simulated, step: seconds / steps })
 }
 
 // Writing into a String cannot fail, here and below.
@@ -96,34 +100,58 @@ fn particles(text: &mut String, scene: &SceneFile, layout: &Layout, diagnosis: &
     }
 }
 
-fn physics(text: &mut String, scene: &SceneFile) {
-    let (mut on, mut off) = (Vec::new(), Vec::new());
-    let mut say =
-        |active: bool, what: &str| if active { on.push(what.to_owned()) } else { off.push(what.to_owned()) };
-    say(scene.gravity.iter().any(|g| *g != 0.0), "gravity");
-    say(!scene.solids.is_empty(), "elastic bodies");
-    say(scene.walls.iter().any(|wall| wall.motion.is_some()), "moving walls");
+/// What a scene may have, whether it has it, and its price if it is one a particle of fluid.
+fn listed(scene: &SceneFile) -> Vec<(bool, &'static str, Option<Priced>)> {
+    let alone = |name| Some(Priced::alone(name));
+    let mut all = vec![
+        (scene.gravity.iter().any(|g| *g != 0.0), "gravity", None),
+        (!scene.solids.is_empty(), "elastic bodies", Some(Priced("structure", "scene"))),
+        (!scene.walls.is_empty(), "walls", alone("walls")),
+        (scene.walls.iter().any(|wall| wall.motion.is_some()), "moving walls", None),
+    ];
     if let Some(fluid) = &scene.fluid {
         let numerics = &fluid.numerics;
-        say(matches!(fluid.viscosity, Viscosity::Artificial(alpha) if alpha > 0.0), "artificial viscosity");
+        let artificial = matches!(fluid.viscosity, Viscosity::Artificial(alpha) if alpha > 0.0);
         let laminar = matches!(fluid.viscosity, Viscosity::Laminar(nu) | Viscosity::Compact(nu) if nu > 0.0);
-        say(laminar, "laminar viscosity");
-        say(numerics.diffusion != Diffusion::None, "density diffusion");
-        say(numerics.collisions, "collisions (DPC)");
-        say(numerics.shifting > 0, "shifting (icPS)");
-        say(numerics.background_pressure > 0.0, "background pressure");
-        say(numerics.pressure_form == PressureForm::Corrected, "corrected sums");
-        say(numerics.density_relaxation > 0.0, "density relaxation");
-        say(!scene.fixed.is_empty(), "fixed bodies");
-        say(!(fluid.inlets.is_empty() && fluid.outlets.is_empty()), "inlets and outlets");
+        let sticky = scene.walls.iter().any(|wall| wall.slip == Slip::None);
+        let diffusion = match numerics.diffusion {
+            Diffusion::Hydrostatic => "hydrostatic-diffusion",
+            _ => "filter-diffusion",
+        };
+        let open = !(fluid.inlets.is_empty() && fluid.outlets.is_empty());
+        all.extend([
+            (artificial, "artificial viscosity", alone("artificial-viscosity")),
+            (laminar, "laminar viscosity", alone("laminar-viscosity")),
+            (laminar && sticky, "walls without slip", Some(Priced("no-slip", "walls+laminar-viscosity"))),
+            (numerics.diffusion != Diffusion::None, "density diffusion", alone(diffusion)),
+            (numerics.collisions, "collisions (DPC)", alone("collisions")),
+            (numerics.shifting > 0, "shifting (icPS), each part", alone("shifting")),
+            (numerics.background_pressure > 0.0, "background pressure", None),
+            (numerics.pressure_form == PressureForm::Corrected, "corrected sums", alone("corrected-sums")),
+            (numerics.density_relaxation > 0.0, "density relaxation", alone("density-relaxation")),
+            (!scene.fixed.is_empty(), "fixed bodies", None),
+            (open, "inlets and outlets", alone("openings")),
+        ]);
     } else {
-        say(false, "fluid");
+        all.push((false, "fluid", None));
     }
-    for absent in ["contact of bodies", "surface tension", "turbulence model"] {
-        say(false, absent);
+    all.extend(
+        ["contact of bodies", "surface tension", "turbulence model"].map(|absent| (false, absent, None)),
+    );
+    all
+}
+
+fn physics(text: &mut String, scene: &SceneFile) {
+    let all = listed(scene);
+    for (title, wanted) in [("active", true), ("absent", false)] {
+        let names: Vec<_> = all.iter().filter(|(on, ..)| *on == wanted).map(|(_, what, _)| *what).collect();
+        let _ = writeln!(text, "{title:14} {}", names.join(", "));
     }
-    let _ = writeln!(text, "active         {}", on.join(", "));
-    let _ = writeln!(text, "absent         {}", off.join(", "));
+    if scene.fluid.is_some() {
+        let active = all.iter().filter(|(on, ..)| *on);
+        let priced: Vec<_> = active.filter_map(|(_, what, price)| Some((*what, (*price)?))).collect();
+        text.push_str(&prices(&priced));
+    }
 }
 
 fn steps<T: Real, K: Kernel<T>>(
@@ -184,6 +212,13 @@ fn cost(text: &mut String, scene: &SceneFile, layout: &Layout, measured: &Measur
     );
     if let Some(bytes) = mps_io::peak_memory_bytes() {
         let _ = writeln!(text, "memory         {:.0} MB", bytes as f64 * 1e-6);
+    }
+    if scene.fluid.is_some() {
+        let nanoseconds = measured.step * 1e9 / layout.fluid_len() as f64;
+        let _ = writeln!(
+            text,
+            "step           {nanoseconds:.0} ns a particle of fluid, measured here with {threads} threads"
+        );
     }
     let seconds = scene.end_time * measured.pace;
     let _ = writeln!(

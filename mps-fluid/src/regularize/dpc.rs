@@ -97,6 +97,7 @@ where
 {
     let Some(dpc) = fluid.config.collisions else { return };
     let mut correction = core::mem::take(&mut fluid.rates.correction);
+    correction.resize(fluid.particles.position.len(), Vector::zeros());
     let mut scale = core::mem::take(&mut fluid.rates.density_rate);
     let exchange = Exchange { fluid: &*fluid, dpc };
     parallel.update((correction.as_mut_slice(), scale.as_mut_slice()), |i, (du, load)| {

@@ -56,6 +56,7 @@ where
     for _ in 0..shifting.iterations {
         fluid.measure_packing(parallel)?;
         let mut shifts = core::mem::take(&mut fluid.rates.correction);
+        shifts.resize(fluid.particles.position.len(), Vector::zeros());
         {
             let fluid = &*fluid;
             parallel.update(shifts.as_mut_slice(), |i, shift| {
