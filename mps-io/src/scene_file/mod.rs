@@ -44,10 +44,10 @@ pub use probes::{
     PressureProbe, Probe, VelocityProbe, WallPressureProbe, Way,
 };
 pub use reference::reference;
-pub use region::{Corners, Disc, Point, Region};
+pub use region::{Corners, Disc, HalfSpace, Point, Region, Tube};
 pub use scene::{SceneFile, parse, read, schema};
 pub use solids::{Clamp, Elasticity, InitialVelocity, Material, Side, Solid};
 pub use source::{Problem, SceneError, Source};
 pub use suggest::closest;
-pub use walls::{Motion, Oscillation, Shape, Slip, Steady, Wall};
+pub use walls::{Motion, Oscillation, Shape, Slip, Steady, Tank, Wall};
 pub use watch::{OnFailure, Retry, Watch};

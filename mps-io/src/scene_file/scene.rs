@@ -21,7 +21,7 @@ use std::path::Path;
 pub struct SceneFile {
     /// Title of the pictures
     pub title: String,
-    /// Number of dimensions; so far 2
+    /// Number of dimensions, 2 or 3
     #[serde(default = "two")]
     pub dimension: usize,
     /// Simulated time (s)

@@ -9,7 +9,7 @@ use crate::scene::watch::{Dissected, Good, PostMortem, Setbacks, failed};
 use mps_kernel::{Kernel, Real, State};
 use std::path::Path;
 
-impl<T: Real, K: Kernel<T>> Watched<'_, T, K> {
+impl<T: Real, const D: usize, K: Kernel<T>> Watched<'_, T, D, K> {
     /// Goes back and on with shorter steps, if the scene says so; else the run stops.
     pub(super) fn go_back(&mut self, failure: Failure) -> Result<f64, Failure> {
         let Some(good) = self.course.guard.take_good() else { return Err(failure) };
