@@ -137,12 +137,18 @@ fn a_run_goes_on_with_the_same_bits_on_any_number_of_threads() {
 fn a_failure_is_told_with_three_components_and_can_be_tried_again() {
     let changes = [
         ("spacing = 1e-2", "spacing = 2e-2\nnumerics = { cfl = 0.5 }"),
-        ("end_time = 0.4", "end_time = 0.1\nwatch = { energy_rise = 1e-9, steps = 5 }"),
+        (
+            "end_time = 0.4",
+            "end_time = 0.1\nwatch = { energy_rise = 10.0, steps = 5, region = { lower = [-0.1, -0.1, -0.1], upper = [0.14, 0.3, 0.2] } }",
+        ),
     ];
     let scene = written("failing", DAM, &changes);
     let (output, dir) = run("failing", &scene, &["--no-fields"]);
     let said = words(&output.stderr);
-    assert!(!output.status.success() && said.contains(" J in step "), "{said}");
+    assert!(
+        !output.status.success() && said.contains("has left the region of `watch.region` in step "),
+        "{said}"
+    );
     let report = std::fs::read_to_string(dir.join("post-mortem/report.md")).unwrap();
     for words in ["| position z [m] |", "| acceleration by [m/s2] | x | y | z | size |", "| energy [J] |"] {
         assert!(report.contains(words), "{words} in {report}");
@@ -160,10 +166,9 @@ fn a_plan_names_the_plane_of_the_pictures() {
     let output = Command::new(MPS).args(["plan", "--threads", "1"]).arg(&scene).output().unwrap();
     let plan = words(&output.stdout);
     assert!(output.status.success(), "{}", words(&output.stderr));
-    for line in [
-        "particles      125 of fluid, ",
-        "\npictures       the particles near the plane z = 0.0500 m\n",
-    ] {
+    for line in
+        ["particles      125 of fluid, ", "\npictures       the particles near the plane z = 0.0500 m\n"]
+    {
         assert!(plan.contains(line), "{line} in {plan}");
     }
 }

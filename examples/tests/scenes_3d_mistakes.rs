@@ -66,7 +66,7 @@ const MISTAKES: &[Mistake] = &[
         POST,
         "{ difference = [{ ball = { center = [0.21, 0.1, 0.05], radius = 0.04 } }, { half_space = { through = [0.2, 0.0, 0.0], \
          toward = [0.0, 0.0, 0.0] } }] }",
-        "scene.toml:22:138: fixed[0].region.difference[1].half_space.toward points nowhere: give a vector across the plane",
+        "scene.toml:22:137: fixed[0].region.difference[1].half_space.toward points nowhere: give a vector across the plane",
     ),
     (
         "a tank without walls",
@@ -112,7 +112,7 @@ const MISTAKES: &[Mistake] = &[
         DAM,
         "from = [0.21, 0.0, 0.05], to = [0.21, 0.2, 0.05]",
         "from = [0.1, 0.0, 0.05], to = [0.1, 0.2, 0.05]",
-        "scene.toml:14:10: fluid.bodies[0].region overlaps post (fixed[0].region): two particles near (0.0850, 0.0050, 0.0350) are",
+        "scene.toml:13:10: fluid.bodies[0].region overlaps post (fixed[0].region): two particles near (0.0950, 0.0050, 0.0350) are",
     ),
 ];
 
@@ -120,7 +120,8 @@ fn check(name: &str, text: &str) -> (bool, String) {
     let dir = fresh("scenes-3d-mistakes", &name.replace(' ', "-"));
     std::fs::create_dir_all(&dir).unwrap();
     std::fs::write(dir.join("scene.toml"), text).unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_mps")).args(["check", "scene.toml"]).current_dir(dir).output();
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_mps")).args(["check", "scene.toml"]).current_dir(dir).output();
     let output = output.unwrap();
     (output.status.success(), words(&output.stderr))
 }
@@ -164,7 +165,8 @@ fn water_that_reaches_beyond_its_floor_is_a_warning() {
     let (good, said) = check("no floor", &DAM.replace("upper = [0.1, 0.1, 0.1]", "upper = [0.1, 0.1, 0.2]"));
     assert!(!good && said.contains("overlaps tank"), "{said}");
     let open = "open = [\"top\", \"front\"]";
-    let wide = DAM.replace("upper = [0.1, 0.1, 0.1]", "upper = [0.1, 0.1, 0.2]").replace("open = [\"top\"]", open);
+    let wide =
+        DAM.replace("upper = [0.1, 0.1, 0.1]", "upper = [0.1, 0.1, 0.2]").replace("open = [\"top\"]", open);
     let (good, said) = check("no floor in front", &wide);
     assert!(good, "{said}");
     assert!(said.contains("fluid.bodies[0].region has 1000 of 2000 particles with no wall below"), "{said}");
