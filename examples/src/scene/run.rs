@@ -50,7 +50,7 @@ pub(super) fn begin(
     rotation.clear()?;
     PostMortem::clear(&dir)?;
     // The scene as it is run, beside its results.
-    std::fs::write(dir.join("scene.toml"), scene.to_toml()?)?;
+    let scene = &scene.write_to(&dir)?;
     layout.run_plan(Plan { scene, name, common: &common, end: scene.end_time, interval, rotation }, None)
 }
 

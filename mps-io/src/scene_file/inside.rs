@@ -18,6 +18,7 @@ impl Region {
             Self::Cylinder(tube) => in_tube(tube, point, margin),
             Self::HalfSpace(half) => in_half_space(half, point, margin),
             Self::Polygon(corners) => in_polygon(corners, point, margin),
+            Self::Outline(outline) => outline.contains(point, margin),
             Self::Union(parts) => parts.iter().any(|part| part.contains(point, margin)),
             Self::Difference(parts) => parts.split_first().is_some_and(|(whole, taken)| {
                 whole.contains(point, margin) && !taken.iter().any(|part| part.contains(point, margin))
@@ -36,6 +37,7 @@ impl Region {
             }),
             Self::Cylinder(tube) => Some(around_tube(tube)),
             Self::HalfSpace(_) => None,
+            Self::Outline(outline) => outline.bounds(),
             Self::Polygon(corners) => around(corners.iter().cloned().map(|c| (c.clone(), c))),
             Self::Union(parts) => {
                 around(parts.iter().filter_map(Self::bounds).map(|Corners { lower, upper }| (lower, upper)))
@@ -46,7 +48,7 @@ impl Region {
 }
 
 /// The box around boxes, given by their corners.
-fn around(boxes: impl Iterator<Item = (Point, Point)>) -> Option<Corners> {
+pub(super) fn around(boxes: impl Iterator<Item = (Point, Point)>) -> Option<Corners> {
     let each = |a: Point, b: Point, pick: fn(f64, f64) -> f64| -> Point {
         a.into_iter().zip(b).map(|(a, b)| pick(a, b)).collect()
     };
@@ -82,7 +84,7 @@ fn in_half_space(HalfSpace { through, toward }: &HalfSpace, point: &[f64], margi
 }
 
 /// Whether a ray from the point crosses the line an odd number of times, or the line is near.
-fn in_polygon(corners: &[Point], point: &[f64], margin: f64) -> bool {
+pub(super) fn in_polygon(corners: &[Point], point: &[f64], margin: f64) -> bool {
     let &[x, y] = point else { return false };
     let mut inside = false;
     for (a, b) in corners.iter().zip(corners.iter().cycle().skip(1)) {

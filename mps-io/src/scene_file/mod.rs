@@ -9,6 +9,7 @@
 //! |---|---|
 //! | `scene` | the whole |
 //! | `region`, `inside` | shapes, and what is inside them |
+//! | `outline/*` | shapes from files of their own |
 //! | `fluid`, `openings`, `walls`, `solids`, `fixed` | what there is |
 //! | `probes`, `output`, `choice`, `watch` | what is measured and written, and what a run is watched for |
 //! | `source`, `suggest` | where a key is, and which one was meant |
@@ -21,6 +22,7 @@ mod fixed;
 mod fluid;
 mod inside;
 mod openings;
+mod outline;
 mod output;
 mod probes;
 mod reference;
@@ -38,6 +40,7 @@ pub use fluid::{
     Body, Diffusion, Fluid, InitialPressure, Numerics, PressureForm, Tension, Viscosity, Weight,
 };
 pub use openings::{Inlet, Outlet, Profile};
+pub use outline::Outline;
 pub use output::Output;
 pub use probes::{
     BudgetProbe, DisplacementProbe, ForceProbe, FrontProbe, LevelProbe, LineProbe, LineQuantity, Measure,

@@ -1,5 +1,6 @@
 //! Shapes and what can be made of them.
 
+use super::outline::Outline;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -24,6 +25,8 @@ pub enum Region {
     /// What a closed line through these corners (m) encloses, in two dimensions; where it crosses itself, every
     /// other part
     Polygon(Vec<Point>),
+    /// What a closed line or surface from a file encloses
+    Outline(Outline),
     /// Everything that is in one of them at least
     Union(Vec<Region>),
     /// The first without all the others

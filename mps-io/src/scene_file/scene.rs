@@ -3,6 +3,7 @@
 use super::check;
 use super::fixed::Fixed;
 use super::fluid::Fluid;
+use super::outline;
 use super::output::Output;
 use super::probes::Probe;
 use super::region::Point;
@@ -97,12 +98,16 @@ pub fn read(path: impl AsRef<Path>) -> Result<(SceneFile, Source), SceneError> {
     Ok((parse(&source)?, source))
 }
 
-/// Reads a scene from text.
+/// Reads a scene from text; files that belong to it are looked for beside the file the text is named after.
 ///
 /// # Errors
 /// As [`read`].
 pub fn parse(source: &Source) -> Result<SceneFile, SceneError> {
-    let scene: SceneFile = toml::from_str(source.text()).map_err(|error| reworded(source, &error))?;
+    let mut scene: SceneFile = toml::from_str(source.text()).map_err(|error| reworded(source, &error))?;
+    let unread = outline::load(&mut scene, source);
+    if !unread.is_empty() {
+        return Err(SceneError::Refused(unread));
+    }
     check::check(&scene, source)?;
     Ok(scene)
 }

@@ -64,7 +64,7 @@ impl<T: Real, const D: usize, K: Kernel<T>> Watched<'_, T, D, K> {
         good.course.restore(|transfer| self.course.transfer(transfer))?;
         PostMortem::clear(self.keeper.directory())?;
         mps_io::prepare_output(dir)?;
-        std::fs::write(dir.join("scene.toml"), self.scene.to_toml()?)?;
+        self.scene.write_to(dir)?;
         // The repetition has a table of its own, which begins here, and no fields.
         let mut observer = Observer::new(dir, self.scene, self.course.world, false)?;
         let mut output = Output::new(self.scene, &mut observer, None);

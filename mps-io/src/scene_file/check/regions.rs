@@ -54,6 +54,12 @@ impl Checker<'_> {
                     self.point(corner, &format!("{key}[{k}]"));
                 }
             }
+            Region::Outline(outline) => {
+                let key = format!("{key}.outline");
+                let remedy = "give a factor above zero, 1e-3 for a file in millimetres";
+                self.positive(outline.scale, &format!("{key}.scale"), remedy);
+                self.vector(&outline.translate, &format!("{key}.translate"));
+            }
             Region::Union(parts) => self.parts(parts, 1, &format!("{key}.union")),
             Region::Difference(parts) => self.parts(parts, 2, &format!("{key}.difference")),
         }
