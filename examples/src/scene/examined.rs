@@ -3,7 +3,7 @@
 use super::dimension::AnyLayout;
 use super::{Diagnosis, run};
 use crate::{Common, Failure};
-use mps_io::scene_file::{Problem, SceneError, SceneFile, Source};
+use mps_io::scene_file::{SceneError, SceneFile, Source};
 
 /// A scene with its particles, and what can be seen to be wrong with it.
 pub struct Examined {
@@ -26,11 +26,6 @@ impl Examined {
     /// What was found.
     pub fn diagnosis(&self) -> &Diagnosis {
         &self.diagnosis
-    }
-
-    /// What makes a run doubtful.
-    pub fn warnings(&self) -> &[Problem] {
-        &self.diagnosis.warnings
     }
 
     /// The scene, if it can be run.

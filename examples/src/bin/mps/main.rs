@@ -80,7 +80,7 @@ fn read(path: &Path, end_time: Option<f64>, on_failure: Option<Way>) -> Result<E
         scene.watch.on_failure = way.with_numbers_of(scene.watch.on_failure);
     }
     let examined = Examined::new(scene, &source)?;
-    examined.warnings().iter().for_each(|warning| warn(&warning.to_string()));
+    examined.diagnosis().warnings.iter().for_each(|warning| warn(&warning.to_string()));
     Ok(examined.without_refusals()?)
 }
 
