@@ -1,9 +1,8 @@
 //! Whatever becomes of the text of a scene, it is read and examined, or refused, without a panic.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
-use mps_examples::scene::{Layout, diagnose};
+use mps_examples::scene::Examined;
 use mps_io::scene_file::{Source, parse};
-use mps_neighbors::Parallel;
 use proptest::prelude::*;
 
 const SCENES: [&str; 5] = [
@@ -51,9 +50,9 @@ proptest! {
         }
         let source = Source::new("scene.toml", text);
         if let Ok(scene) = parse(&source)
-            && let Ok(layout) = Layout::new(&scene, &source)
+            && let Ok(examined) = Examined::new(scene, &source)
         {
-            let found = diagnose(&scene, &source, &layout, &Parallel::serial()).unwrap();
+            let found = examined.diagnosis();
             for problem in found.refusals.iter().chain(&found.warnings) {
                 prop_assert!(problem.line > 0 && !problem.remedy.is_empty());
             }

@@ -17,9 +17,9 @@ use mps_solid::{Solid, SolidConfig, SolidError, SolidParticles};
 ///
 /// A box that is free or held on sides is a block of `mps-solid`, which puts the first row of a held side exactly on
 /// it; everything else is a lattice whose particles in the clamp are held.
-pub(super) fn particles<T: Real>(
+pub(super) fn particles<T: Real, const D: usize>(
     solid: &Description,
-) -> Result<(SolidParticles<T, 2>, Vector<T, 2>), SolidError> {
+) -> Result<(SolidParticles<T, D>, Vector<T, D>), SolidError> {
     if let Region::Box(corners) = &solid.region {
         match &solid.clamp {
             None => return fitted(corners, solid.spacing, &[]).map(whole),
@@ -32,9 +32,9 @@ pub(super) fn particles<T: Real>(
         }
     }
     let mut particles = SolidParticles::new();
-    let volume = T::of(solid.spacing * solid.spacing);
+    let volume = T::of(solid.spacing.powi(D as i32));
     let margin = 1e-6 * solid.spacing;
-    for place in fill(&solid.region, solid.spacing) {
+    for place in fill::<D>(&solid.region, solid.spacing) {
         let held = match &solid.clamp {
             Some(Clamp::Region(region)) => region.contains(&place, margin),
             _ => false,
@@ -45,31 +45,31 @@ pub(super) fn particles<T: Real>(
 }
 
 /// A box whose spacing is fitted to it, with its first particles exactly on the faces.
-fn fitted<T: Real>(
+fn fitted<T: Real, const D: usize>(
     Corners { lower, upper }: &Corners,
     spacing: f64,
     faces: &[Face],
-) -> Result<Body<T, 2>, SolidError> {
+) -> Result<Body<T, D>, SolidError> {
     let (lower, upper) = (vector(lower), vector(upper));
     // As many as fit, not the two at least that `counts` gives: a thin body is to be refused.
     let mut counts = counts(&lower, &upper, T::of(spacing), faces);
-    for axis in 0..2 {
+    for axis in 0..D {
         let cells = ((upper[axis] - lower[axis]) / T::of(spacing)).to_double();
         counts[axis] = if cells < 1.5 { 1 } else { counts[axis] };
     }
     block(lower, upper, counts, faces)
 }
 
-fn whole<T: Real>(block: Body<T, 2>) -> (SolidParticles<T, 2>, Vector<T, 2>) {
+fn whole<T: Real, const D: usize>(block: Body<T, D>) -> (SolidParticles<T, D>, Vector<T, D>) {
     (block.particles, block.spacing)
 }
 
 /// A box whose rows begin on a disc at its left end, and are held there.
-pub(super) fn rows<T: Real>(
+pub(super) fn rows<T: Real, const D: usize>(
     corners: &Corners,
     disc: &Disc,
     spacing: f64,
-) -> Result<(SolidParticles<T, 2>, Vector<T, 2>), SolidError> {
+) -> Result<(SolidParticles<T, D>, Vector<T, D>), SolidError> {
     let block = fitted(corners, spacing, &[face(Side::Left)])?;
     let (lower, upper) = (vector(&corners.lower), vector(&corners.upper));
     // The check has let pass discs that reach all rows.
@@ -82,11 +82,11 @@ fn face(side: Side) -> Face {
 }
 
 /// The body with its velocities at the start, in a fluid of this background pressure \[Pa\].
-pub(super) fn body<T: Real>(
+pub(super) fn body<T: Real, const D: usize>(
     description: &Description,
     background: f64,
     parallel: &Parallel,
-) -> Result<Solid<T, 2, Ambient<Law<T>, T>>, Failure> {
+) -> Result<Solid<T, D, Ambient<Law<T>, T>>, Failure> {
     let (particles, spacing) = particles(description)?;
     let held: Vec<bool> = (0..particles.ids().len()).map(|i| particles.is_clamped(i)).collect();
     let pressure = T::of(description.ambient_pressure.unwrap_or(background));
@@ -100,12 +100,15 @@ pub(super) fn body<T: Real>(
         parallel,
     )?;
     let Some(velocity) = &description.velocity else { return Ok(solid) };
-    let start: Vec<Vector<T, 2>> = match velocity {
+    let start: Vec<Vector<T, D>> = match velocity {
         InitialVelocity::Uniform(velocity) => vec![vector(velocity); held.len()],
         InitialVelocity::FirstMode(tip) => {
             let Some(Corners { lower, upper }) = description.region.bounds() else { return Ok(solid) };
-            let along = |x: &Vector<T, 2>| (x[0].to_double() - lower[0]) / (upper[0] - lower[0]);
-            let speed = |x| Vector::from([T::zero(), T::of(tip * first_mode(along(x)))]);
+            let along = |x: &Vector<T, D>| (x[0].to_double() - lower[0]) / (upper[0] - lower[0]);
+            let speed = |x| {
+                let bending = T::of(tip * first_mode(along(x)));
+                Vector::from_fn(|axis, _| if axis == 1 { bending } else { T::zero() })
+            };
             solid.positions().iter().map(speed).collect()
         }
     };

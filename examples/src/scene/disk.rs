@@ -13,13 +13,18 @@ pub(super) fn field_frames(scene: &SceneFile) -> f64 {
 }
 
 /// The most that the fields of a run can take, not compressed \[bytes\].
-pub(super) fn field_bytes(scene: &SceneFile, layout: &Layout) -> f64 {
+pub(super) fn field_bytes<const D: usize>(scene: &SceneFile, layout: &Layout<D>) -> f64 {
     let [fluid, body] = particle_bytes(&scene.output).map(|bytes| bytes as f64);
     field_frames(scene) * (layout.fluid_len() as f64 * fluid + layout.solids_len() as f64 * body)
 }
 
 /// What to say of a run called `name` whose fields may not find room where it writes.
-pub fn short_of_disk(scene: &SceneFile, layout: &Layout, common: &Common, name: &str) -> Option<String> {
+pub(super) fn short_of_disk<const D: usize>(
+    scene: &SceneFile,
+    layout: &Layout<D>,
+    common: &Common,
+    name: &str,
+) -> Option<String> {
     let chosen = common.out.clone().or_else(|| scene.output.directory.as_ref().map(Into::into));
     let dir = chosen.unwrap_or_else(|| PathBuf::from("out").join(name));
     let needed = if common.no_fields { 0.0 } else { field_bytes(scene, layout) };

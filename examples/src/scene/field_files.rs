@@ -34,14 +34,14 @@ fn options(output: &Output) -> FieldOptions {
 
 impl FieldFiles {
     /// In `dir`, where walls and fixed bodies, which do not change, are written at once.
-    pub(super) fn new<T: Real, K: Kernel<T>>(
+    pub(super) fn new<T: Real, const D: usize, K: Kernel<T>>(
         dir: &Path,
         scene: &SceneFile,
-        world: &World<T, K>,
+        world: &World<T, D, K>,
     ) -> Result<Self, Failure> {
         let output = &scene.output;
         let writer = |name: &str| FieldWriter::new(dir, name, options(output));
-        let still = |name: &str, points: &[Vector<T, 2>]| {
+        let still = |name: &str, points: &[Vector<T, D>]| {
             let inside = inside(output.field_region.as_ref(), points);
             writer(name)?.write(0.0, &PointCloud::new(points).only(inside.as_deref()))
         };
@@ -71,9 +71,9 @@ impl FieldFiles {
     }
 
     /// One frame of the water and of each body.
-    pub(super) fn write<T: Real, K: Kernel<T>>(
+    pub(super) fn write<T: Real, const D: usize, K: Kernel<T>>(
         &mut self,
-        world: &mut World<T, K>,
+        world: &mut World<T, D, K>,
         parallel: &Parallel,
     ) -> Result<(), Failure> {
         self.measure(world, parallel)?;
@@ -123,9 +123,9 @@ impl FieldFiles {
     }
 
     /// What the fluid measures on request, if it is written.
-    fn measure<T: Real, K: Kernel<T>>(
+    fn measure<T: Real, const D: usize, K: Kernel<T>>(
         &mut self,
-        world: &mut World<T, K>,
+        world: &mut World<T, D, K>,
         parallel: &Parallel,
     ) -> Result<(), Failure> {
         let has = |field: Field| self.of_fluid.contains(&field);
@@ -141,14 +141,17 @@ impl FieldFiles {
 }
 
 /// Numbers of the points in the region; `None` without a region.
-fn inside<T: Real>(region: Option<&Region>, points: &[Vector<T, 2>]) -> Option<Vec<u32>> {
+fn inside<T: Real, const D: usize>(region: Option<&Region>, points: &[Vector<T, D>]) -> Option<Vec<u32>> {
     let region = region?;
-    let within = |r: &Vector<T, 2>| region.contains(&[r[0].to_double(), r[1].to_double()], 0.0);
+    let within = |r: &Vector<T, D>| region.contains(&<[f64; D]>::from(r.map(Real::to_double)), 0.0);
     Some((0_u32..).zip(points).filter(|(_, r)| within(r)).map(|(k, _)| k).collect())
 }
 
 /// Largest principal value of the Green-Lagrange strain of every particle.
-pub(super) fn principal_strains<T: Real, K: Kernel<T>>(world: &World<T, K>, k: usize) -> Vec<T> {
+pub(super) fn principal_strains<T: Real, const D: usize, K: Kernel<T>>(
+    world: &World<T, D, K>,
+    k: usize,
+) -> Vec<T> {
     let Some(solid) = world.solid(k) else { return Vec::new() };
     solid.particles().deformations().iter().map(|f| largest_eigenvalue(&green_lagrange(f))).collect()
 }

@@ -1,7 +1,8 @@
 //! Fields for ParaView, pictures and the film.
 
-use super::World;
 use super::field_files::{FieldFiles, principal_strains};
+use super::slice::{Slice, pick};
+use super::{World, vector};
 use crate::Failure;
 use mps_io::scene_file::{Corners, SceneFile};
 use mps_io::{ColorMap, FieldPicture, Film, View};
@@ -25,24 +26,27 @@ pub(super) struct Fields {
     solids: usize,
     film: Option<Film>,
     view: View,
+    slice: Slice,
     pressure_scale: f64,
     strain_scale: f64,
 }
 
 impl Fields {
-    pub(super) fn new<T: Real, K: Kernel<T>>(
+    pub(super) fn new<T: Real, const D: usize, K: Kernel<T>>(
         dir: &Path,
         scene: &SceneFile,
-        world: &World<T, K>,
+        world: &World<T, D, K>,
     ) -> Result<Self, Failure> {
         let output = &scene.output;
+        let (view, slice) = shown(scene, world);
         Ok(Self {
             dir: dir.to_path_buf(),
             title: scene.title.clone(),
             files: FieldFiles::new(&dir.join("fields"), scene, world)?,
             solids: scene.solids.len(),
             film: None,
-            view: view(scene, world),
+            view,
+            slice,
             pressure_scale: output.pressure_scale.unwrap_or_else(|| pressure_scale(scene, world)),
             strain_scale: output.strain_scale.unwrap_or(0.1),
         })
@@ -50,8 +54,17 @@ impl Fields {
 
     /// Saves how far the collections and the film are, or goes back to where they were.
     pub(super) fn transfer(&mut self, transfer: &mut Transfer<'_>) {
-        let Self { dir, title: _, files, solids: _, film, view: _, pressure_scale: _, strain_scale: _ } =
-            self;
+        let Self {
+            dir,
+            title: _,
+            files,
+            solids: _,
+            film,
+            view: _,
+            slice: _,
+            pressure_scale: _,
+            strain_scale: _,
+        } = self;
         files.transfer(transfer);
         let mut marks = film.as_ref().map(Film::marks).unwrap_or_default();
         transfer.array("film", &mut marks);
@@ -71,22 +84,23 @@ impl Fields {
     }
 
     /// One frame for ParaView.
-    pub(super) fn write<T: Real, K: Kernel<T>>(
+    pub(super) fn write<T: Real, const D: usize, K: Kernel<T>>(
         &mut self,
-        world: &mut World<T, K>,
+        world: &mut World<T, D, K>,
         parallel: &Parallel,
     ) -> Result<(), Failure> {
         self.files.write(world, parallel)
     }
 
     /// One frame of `film.png` if `frame`, and a picture of its own if `picture`.
-    pub(super) fn draw<T: Real, K: Kernel<T>>(
+    pub(super) fn draw<T: Real, const D: usize, K: Kernel<T>>(
         &mut self,
-        world: &World<T, K>,
+        world: &World<T, D, K>,
         [frame, picture]: [bool; 2],
     ) -> Result<(), Failure> {
         let time = world.time();
         let mut drawn = FieldPicture::new(WIDTH, self.view).title(&self.title).time(time);
+        let seen = |positions: &[Vector<T, D>], spacing: T| self.slice.of(positions, spacing.to_double());
         if let Some(fluid) = world.fluid() {
             let (boundary, particles) = (fluid.boundary(), fluid.particles());
             let radius = 0.6 * fluid.config().spacing.to_double();
@@ -94,13 +108,16 @@ impl Fields {
             let pressure: Vec<T> = particles.pressure.iter().map(|&p| p * kilo).collect();
             let range = (0.0, 1e-3 * self.pressure_scale);
             for body in world.fixed() {
-                let radius = 0.6 * body.spacing().to_double();
-                drawn = drawn.plain(body.positions(), radius, DARK);
+                let (radius, seen) =
+                    (0.6 * body.spacing().to_double(), seen(body.positions(), body.spacing()));
+                drawn = drawn.plain(&pick(body.positions(), &seen), radius, DARK);
             }
-            drawn = drawn.plain(&boundary.position[..boundary.reactive().start], radius, GREY).layer(
-                &particles.position,
+            let (walls, spacing) = (&boundary.position[..boundary.reactive().start], fluid.config().spacing);
+            let water = seen(&particles.position, spacing);
+            drawn = drawn.plain(&pick(walls, &seen(walls, spacing)), radius, GREY).layer(
+                &pick(&particles.position, &water),
                 radius,
-                &pressure,
+                &pick(&pressure, &water),
                 range,
                 ColorMap::Viridis,
                 "fluid: p [kPa]",
@@ -111,11 +128,11 @@ impl Fields {
             let radius = 0.6 * solid.spacing().max().to_double();
             let label =
                 if k == 0 { "solids: largest strain [–]".to_owned() } else { format!("solid {}", k + 1) };
-            let strain = principal_strains(world, k);
+            let shown = seen(solid.positions(), solid.spacing().max());
             drawn = drawn.layer(
-                solid.positions(),
+                &pick(solid.positions(), &shown),
                 radius,
-                &strain,
+                &pick(&principal_strains(world, k), &shown),
                 (0.0, self.strain_scale),
                 ColorMap::Plasma,
                 &label,
@@ -140,27 +157,43 @@ fn film_in(dir: &Path) -> PathBuf {
     dir.join("film.png")
 }
 
-/// What the scene asks for, or everything with a small margin.
-fn view<T: Real, K: Kernel<T>>(scene: &SceneFile, world: &World<T, K>) -> View {
-    if let Some(Corners { lower, upper }) = &scene.output.view {
-        return View::new(super::vector::<f64>(lower).into(), super::vector::<f64>(upper).into());
-    }
+/// What the scene asks for, or everything with a small margin; in three dimensions of the plane in the middle.
+pub(super) fn shown<T: Real, const D: usize, K: Kernel<T>>(
+    scene: &SceneFile,
+    world: &World<T, D, K>,
+) -> (View, Slice) {
+    let (lower, upper, margin) = match &scene.output.view {
+        Some(Corners { lower, upper }) => (vector(lower), vector(upper), 0.0),
+        None => {
+            let (lower, upper) = extent(scene, world);
+            (lower, upper, 0.05 * (upper[0] - lower[0]).max(upper[1] - lower[1]))
+        }
+    };
+    let [low, high] = [lower, upper].map(|corner: Vector<f64, 3>| [corner[0], corner[1]]);
+    let view = View::new(low.map(|x| x - margin), high.map(|x| x + margin));
+    (view, Slice { z: 0.5 * (lower[2] + upper[2]) })
+}
+
+/// The corners of the box around all points of a scene \[m\].
+fn extent<T: Real, const D: usize, K: Kernel<T>>(
+    scene: &SceneFile,
+    world: &World<T, D, K>,
+) -> (Vector<f64, 3>, Vector<f64, 3>) {
     let fluid = world.fluid().into_iter();
     let wet = fluid.flat_map(|fluid| fluid.particles().position.iter().chain(&fluid.boundary().position));
     let solid = (0..scene.solids.len()).filter_map(|k| world.solid(k)).flat_map(|solid| solid.positions());
-    let (mut lower, mut upper) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    let (mut lower, mut upper) = (Vector::repeat(f64::INFINITY), Vector::repeat(f64::NEG_INFINITY));
     for r in wet.chain(solid) {
-        let r: &Vector<T, 2> = r;
-        for axis in 0..2 {
-            lower[axis] = lower[axis].min(r[axis].to_double());
-            upper[axis] = upper[axis].max(r[axis].to_double());
+        let r: &Vector<T, D> = r;
+        for (axis, x) in r.iter().enumerate().take(3) {
+            lower[axis] = lower[axis].min(x.to_double());
+            upper[axis] = upper[axis].max(x.to_double());
         }
     }
-    let margin = 0.05 * (upper[0] - lower[0]).max(upper[1] - lower[1]);
-    View::new(lower.map(|x| x - margin), upper.map(|x| x + margin))
+    (lower, upper)
 }
 
-fn pressure_scale<T: Real, K: Kernel<T>>(scene: &SceneFile, world: &World<T, K>) -> f64 {
+fn pressure_scale<T: Real, const D: usize, K: Kernel<T>>(scene: &SceneFile, world: &World<T, D, K>) -> f64 {
     let (Some(fluid), Some(description)) = (world.fluid(), &scene.fluid) else { return 1.0 };
     let largest = fluid.particles().pressure.iter().map(|p| p.to_double()).fold(0.0, f64::max);
     let speed = 0.1 * description.sound();

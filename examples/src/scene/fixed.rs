@@ -11,16 +11,16 @@ use mps_solid::SolidError;
 
 /// Points of a rigid body.
 #[derive(Clone, Debug)]
-pub struct FixedPoints {
+pub struct FixedPoints<const D: usize> {
     /// Places \[m\].
-    pub places: Vec<Place>,
-    /// Volume of each \[m^2\].
+    pub places: Vec<Place<D>>,
+    /// Volume of each \[m^3\], in two dimensions \[m^2\].
     pub volumes: Vec<f64>,
     /// Their distance \[m\].
     pub spacing: f64,
 }
 
-impl FixedPoints {
+impl<const D: usize> FixedPoints<D> {
     /// The points of a body in a fluid.
     ///
     /// # Errors
@@ -32,17 +32,18 @@ impl FixedPoints {
                 // One more than the fluid reaches, whatever the rounding.
                 let reach = fluid.numerics.radius * fluid.spacing / spacing;
                 let layers = (reach - 1e-6).ceil() as usize + 1;
-                rings(vector::<f64>(center).into(), *radius, spacing, layers)
+                let (places, areas) = rings(vector::<f64, 2>(center).into(), *radius, spacing, layers);
+                (places.iter().map(|place| vector::<f64, D>(place).into()).collect(), areas)
             }
             (Packing::Rows(disc), Region::Box(corners)) => {
-                let (particles, _) = rows::<f64>(corners, disc, spacing)?;
+                let (particles, _) = rows::<f64, D>(corners, disc, spacing)?;
                 let places = particles.reference_positions().iter().map(|x| (*x).into()).collect();
                 (places, particles.volumes().to_vec())
             }
             // What rings and rows are of has been checked.
             _ => {
                 let places = fill(&body.region, spacing);
-                let volumes = vec![spacing * spacing; places.len()];
+                let volumes = vec![spacing.powi(D as i32); places.len()];
                 (places, volumes)
             }
         };
@@ -50,7 +51,7 @@ impl FixedPoints {
     }
 
     /// The body in a scene.
-    pub(super) fn body<T: Real>(&self) -> Fixed<T, 2> {
+    pub(super) fn body<T: Real>(&self) -> Fixed<T, D> {
         let volumes = self.volumes.iter().map(|volume| T::of(*volume)).collect();
         Fixed::new(vectors(&self.places), volumes, T::of(self.spacing))
     }

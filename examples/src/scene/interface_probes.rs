@@ -2,27 +2,32 @@
 
 use super::World;
 use super::lattice::Place;
+use super::units::planes;
 use crate::Failure;
 use mps_kernel::{Kernel, Real, Vector};
 
-/// Impulse \[N s/m\] along x and y, angular impulse about the origin \[N s\] and work \[J/m\] that structures have been handed since
-/// the start.
-pub(super) fn handed<T: Real, K: Kernel<T>>(world: &World<T, K>, structures: &[usize]) -> [f64; 4] {
-    let all = structures.iter().filter_map(|body| world.coupled()?.budget().handed.get(*body));
-    all.fold([0.0; 4], |sum, handed| {
-        let (force, moment) = (handed.push.force, handed.push.moment[(0, 1)]);
-        let one = [force[0], force[1], moment, handed.work].map(Real::to_double);
-        std::array::from_fn(|k| sum[k] + one[k])
-    })
+/// Impulse per dimension, angular impulse about the origin, one number per plane things turn in, and work that structures have
+/// been handed since the start: \[N s\], \[N m s\] and \[J\], in two dimensions per metre of depth.
+pub(super) fn handed<T: Real, const D: usize, K: Kernel<T>>(
+    world: &World<T, D, K>,
+    structures: &[usize],
+) -> Vec<f64> {
+    let mut sum = vec![0.0; D + planes::<D>().len() + 1];
+    for handed in structures.iter().filter_map(|body| world.coupled()?.budget().handed.get(*body)) {
+        let moments = planes::<D>().iter().map(|plane| handed.push.moment[*plane]);
+        let one = handed.push.force.iter().copied().chain(moments).chain([handed.work]);
+        sum.iter_mut().zip(one).for_each(|(sum, one)| *sum += one.to_double());
+    }
+    sum
 }
 
-/// A part of the surface of a body at rest.
+/// A part of the surface of a body at rest, in two dimensions.
 pub(super) struct WallPart {
     body: usize,
     /// Numbers of the points of the body behind it.
     points: Vec<usize>,
     /// Into the fluid.
-    normal: Place,
+    normal: Place<2>,
     /// Its length \[m\].
     length: f64,
 }
@@ -32,11 +37,11 @@ impl WallPart {
     ///
     /// # Errors
     /// If there is nothing of the body behind it.
-    pub(super) fn new<T: Real, K: Kernel<T>>(
-        world: &World<T, K>,
+    pub(super) fn new<T: Real, const D: usize, K: Kernel<T>>(
+        world: &World<T, D, K>,
         body: usize,
-        from: Place,
-        to: Place,
+        from: Place<2>,
+        to: Place<2>,
     ) -> Result<Self, Failure> {
         let (along, length) = unit([to[0] - from[0], to[1] - from[1]]);
         let normal = [-along[1], along[0]];
@@ -47,7 +52,7 @@ impl WallPart {
         });
         let positions =
             scene.and_then(|scene| scene.structure(body)).map_or(&[][..], |body| body.positions());
-        let behind = |r: &Vector<T, 2>| {
+        let behind = |r: &Vector<T, D>| {
             let arm = [r[0].to_double() - from[0], r[1].to_double() - from[1]];
             let (s, out) = (dot(arm, along), dot(arm, normal));
             // Points on the surface are behind it whatever the rounding; each end belongs to one of the parts it divides.
@@ -66,7 +71,7 @@ impl WallPart {
     }
 
     /// Mean pressure on it in the last step \[Pa\].
-    pub(super) fn pressure<T: Real, K: Kernel<T>>(&self, world: &World<T, K>) -> f64 {
+    pub(super) fn pressure<T: Real, const D: usize, K: Kernel<T>>(&self, world: &World<T, D, K>) -> f64 {
         let forces = world.coupled().and_then(|scene| scene.forces(self.body)).unwrap_or_default();
         let load =
             |k: &usize| forces.get(*k).map_or(0.0, |f| dot([f[0], f[1]].map(Real::to_double), self.normal));
@@ -74,12 +79,12 @@ impl WallPart {
     }
 }
 
-fn dot(a: Place, b: Place) -> f64 {
+fn dot(a: Place<2>, b: Place<2>) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
 /// The direction of a vector, and its length.
-fn unit(a: Place) -> (Place, f64) {
+fn unit(a: Place<2>) -> (Place<2>, f64) {
     let length = dot(a, a).sqrt();
     (a.map(|x| x / length), length)
 }

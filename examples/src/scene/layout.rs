@@ -5,34 +5,34 @@ use super::fixed::FixedPoints;
 use super::lattice::{Place, fill};
 use super::line::along;
 use super::openings::{Behind, behind};
-use mps_io::scene_file::{Problem, SceneError, SceneFile, Shape, Source, Wall};
+use mps_io::scene_file::{Problem, Region, SceneError, SceneFile, Shape, Source, Wall};
 use mps_solid::SolidError;
 
 /// Points of a scene, part by part in the order of its file.
 #[derive(Clone, Debug, Default)]
-pub struct Layout {
+pub struct Layout<const D: usize> {
     /// Particles of each body of fluid \[m\].
-    pub fluid: Vec<Vec<Place>>,
+    pub fluid: Vec<Vec<Place<D>>>,
     /// Points of each wall.
-    pub walls: Vec<Vec<Points>>,
+    pub walls: Vec<Vec<Points<D>>>,
     /// Particles of each elastic body \[m\], and whether each is held.
-    pub solids: Vec<Vec<(Place, bool)>>,
+    pub solids: Vec<Vec<(Place<D>, bool)>>,
     /// Points of each fixed body.
-    pub fixed: Vec<FixedPoints>,
+    pub fixed: Vec<FixedPoints<D>>,
     /// What lies behind each opening, inlets first.
-    pub behind: Vec<Behind>,
+    pub behind: Vec<Behind<D>>,
 }
 
 /// Points of a wall that stand for the same volume each.
 #[derive(Clone, Debug)]
-pub struct Points {
+pub struct Points<const D: usize> {
     /// Places \[m\].
-    pub places: Vec<Place>,
+    pub places: Vec<Place<D>>,
     /// Volume of a point over that of a particle of the fluid.
     pub volume: f64,
 }
 
-impl Layout {
+impl<const D: usize> Layout<D> {
     /// Fills the regions and lines of a scene.
     ///
     /// # Errors
@@ -54,13 +54,13 @@ impl Layout {
             }
         }
         for (k, solid) in scene.solids.iter().enumerate() {
-            match particles::<f64>(solid) {
+            match particles::<f64, D>(solid) {
                 Ok((particles, _)) => layout.solids.push(
                     particles
                         .reference_positions()
                         .iter()
                         .enumerate()
-                        .map(|(i, x)| ([x[0], x[1]], particles.is_clamped(i)))
+                        .map(|(i, x)| ((*x).into(), particles.is_clamped(i)))
                         .collect(),
                 ),
                 Err(error) => problems.push(no_body(source, &format!("solids[{k}]"), &error)),
@@ -116,18 +116,31 @@ fn no_body(source: &Source, key: &str, error: &SolidError) -> Problem {
     source.problem(&format!("{key}.spacing"), "makes no body", error.to_string())
 }
 
-fn wall_points(wall: &Wall, l0: f64, depth: f64) -> Vec<Points> {
+fn wall_points<const D: usize>(wall: &Wall, l0: f64, depth: f64) -> Vec<Points<D>> {
     let spacing = wall.fineness * l0;
+    let lattice = |region: &Region| {
+        vec![Points { places: fill(region, spacing), volume: wall.fineness.powi(D as i32) }]
+    };
     let (line, closed) = match &wall.shape {
-        Shape::Region(region) => {
-            return vec![Points { places: fill(region, spacing), volume: wall.fineness * wall.fineness }];
+        Shape::Region(region) => return lattice(region),
+        Shape::Tank(tank) => {
+            // Whole cells, so that the lattice begins at the lower corner of the inside.
+            let depth = (depth / spacing - 1e-6).ceil() * spacing;
+            return lattice(&Region::Difference(vec![
+                Region::Box(tank.outside(depth)),
+                // The points of the walls that stand on the rim of an opening are not inside.
+                Region::Box(tank.inside()),
+            ]));
         }
         Shape::Line(line) => (line, false),
         Shape::Ring(line) => (line, true),
     };
-    let corners: Vec<Place> = line.iter().map(|point| super::vector::<f64>(point).into()).collect();
+    let corners: Vec<Place<2>> = line.iter().map(|point| super::vector::<f64, 2>(point).into()).collect();
     along(&corners, closed, spacing, depth)
         .into_iter()
-        .map(|side| Points { places: side.points, volume: side.area / (l0 * l0) })
+        .map(|side| Points {
+            places: side.points.iter().map(|place| super::vector::<f64, D>(place).into()).collect(),
+            volume: side.area / (l0 * l0),
+        })
         .collect()
 }

@@ -8,7 +8,7 @@ const ROUNDING: f64 = 1e-6;
 /// The points along one side of a line.
 pub(super) struct SidePoints {
     /// Places \[m\].
-    pub(super) points: Vec<Place>,
+    pub(super) points: Vec<Place<2>>,
     /// Area a point stands for \[m^2\].
     pub(super) area: f64,
 }
@@ -19,9 +19,9 @@ pub(super) struct SidePoints {
 /// Along a side the spacing is fitted to whole cells. Where sides meet, each row goes on (or ends early) to the line
 /// that halves the angle; centres on that line belong to the side before it. So a right angle is filled as by a
 /// square lattice. At the ends of an open line rows end with it.
-pub(super) fn along(corners: &[Place], closed: bool, spacing: f64, depth: f64) -> Vec<SidePoints> {
+pub(super) fn along(corners: &[Place<2>], closed: bool, spacing: f64, depth: f64) -> Vec<SidePoints> {
     let count = corners.len();
-    let sides: Vec<Place> = (0..if closed { count } else { count.saturating_sub(1) })
+    let sides: Vec<Place<2>> = (0..if closed { count } else { count.saturating_sub(1) })
         .map(|k| {
             let (a, b) = (corners[k], corners[(k + 1) % count]);
             [b[0] - a[0], b[1] - a[1]]
@@ -66,9 +66,9 @@ mod tests {
     use super::*;
 
     /// All points in units of the spacing, sorted.
-    fn points(corners: &[Place], closed: bool, depth: f64) -> Vec<[i64; 2]> {
+    fn points(corners: &[Place<2>], closed: bool, depth: f64) -> Vec<[i64; 2]> {
         let all = along(corners, closed, 1.0, depth);
-        let grid = |p: &Place| p.map(|x| (2.0 * x).round() as i64);
+        let grid = |p: &Place<2>| p.map(|x| (2.0 * x).round() as i64);
         let mut points: Vec<_> = all.iter().flat_map(|side| side.points.iter().map(grid)).collect();
         points.sort_unstable();
         points
@@ -110,7 +110,7 @@ mod tests {
             let (sin, cos) = (f64::from(k) * core::f64::consts::FRAC_PI_3).sin_cos();
             [40.0 * cos, 40.0 * sin]
         };
-        let ring: Vec<Place> = (0..6).map(corner).collect();
+        let ring: Vec<Place<2>> = (0..6).map(corner).collect();
         let area: f64 =
             along(&ring, true, 0.5, 3.0).iter().map(|side| side.points.len() as f64 * side.area).sum();
         let exact = 6.0 * (40.0 * 3.0 + 9.0 * (30.0_f64).to_radians().tan());

@@ -8,7 +8,8 @@
 //! | `water`, `openings`, `bodies`, `fixed`, `movers` | fluid, where it enters and leaves, elastic and rigid bodies, moved walls |
 //! | `world` | what is stepped: fluid with bodies, or bodies alone |
 //! | `clearance`, `diagnosis` | what is wrong with a scene that can be seen before it runs |
-//! | `probes`, `water_probes`, `interface_probes`, `observer`, `fields`, `field_files`, `report` | what is measured, written, and said |
+//! | `probes`, `water_probes`, `interface_probes`, `observer`, `fields`, `slice`, `field_files`, `report`, `units` | what is measured, written, and said |
+//! | `dimension`, `examined` | from the number of dimensions in a file to that in the code; a scene that was examined |
 //! | `run`, `watched` | the run, with all that watches it |
 //! | `watch/*` | what a run is watched for, its post-mortem, and how it is tried again |
 //! | `keeper`, `resume` | its checkpoints, and how it goes on from one |
@@ -19,7 +20,9 @@
 mod bodies;
 mod clearance;
 mod diagnosis;
+mod dimension;
 mod disk;
+mod examined;
 mod field_files;
 mod fields;
 mod fixed;
@@ -41,7 +44,9 @@ mod probes;
 mod report;
 mod resume;
 mod run;
+mod slice;
 mod table;
+mod units;
 mod viscosity;
 mod watch;
 mod watched;
@@ -49,30 +54,30 @@ mod water;
 mod water_probes;
 mod world;
 
-pub use diagnosis::{Diagnosis, diagnose};
-pub use disk::short_of_disk;
+pub use diagnosis::Diagnosis;
+pub use examined::Examined;
 pub use fixed::FixedPoints;
 pub use harmonics::{Window, harmonics};
 pub(crate) use keeper::is_stopped;
 pub use law::Law;
 pub use layout::Layout;
 pub use openings::Behind;
-pub use plan::plan;
 pub use plot::{Drawing, plot};
 pub use print::{form_of, print_scene};
 pub use resume::resume;
-pub use run::run;
 pub use viscosity::Viscous;
 pub use world::World;
+
+use diagnosis::diagnose;
 
 use mps_kernel::{Real, Vector};
 
 /// Places as vectors of the number type of the run.
-fn vectors<T: Real>(places: &[lattice::Place]) -> Vec<Vector<T, 2>> {
+fn vectors<T: Real, const D: usize>(places: &[lattice::Place<D>]) -> Vec<Vector<T, D>> {
     places.iter().map(|place| vector(place)).collect()
 }
 
 /// The number type of a run for a point of a scene file, whose dimension has been checked.
-fn vector<T: Real>(point: &[f64]) -> Vector<T, 2> {
+fn vector<T: Real, const D: usize>(point: &[f64]) -> Vector<T, D> {
     Vector::from_fn(|axis, _| T::of(point.get(axis).copied().unwrap_or(0.0)))
 }

@@ -8,22 +8,22 @@ use mps_kernel::{Real, Vector};
 
 /// A wall and its motion.
 #[derive(Clone, Debug)]
-pub(super) struct Mover<T: Real> {
+pub(super) struct Mover<T: Real, const D: usize> {
     motion: Motion,
     /// Its points among those of the boundary.
     range: Range<usize>,
     /// Velocity in the present step \[m/s\].
-    velocity: Vector<T, 2>,
+    velocity: Vector<T, D>,
 }
 
-impl<T: Real> Mover<T> {
+impl<T: Real, const D: usize> Mover<T, D> {
     pub(super) fn new(motion: &Motion, range: Range<usize>) -> Self {
         Self { motion: motion.clone(), range, velocity: Vector::zeros() }
     }
 
     /// Before a step from `time` \[s\] on: velocity and acceleration that the fluid is shown. The step is expected to be as
     /// long as the `last` one \[s\], and has the velocity of its middle.
-    pub(super) fn show(&mut self, boundary: &mut Boundary<T, 2>, time: f64, last: f64) {
+    pub(super) fn show(&mut self, boundary: &mut Boundary<T, D>, time: f64, last: f64) {
         let [velocity, acceleration] = match &self.motion {
             Motion::Steady(Steady { velocity, until }) => {
                 let moves = until.is_none_or(|until| time < until);
@@ -31,7 +31,7 @@ impl<T: Real> Mover<T> {
             }
             Motion::Oscillation(Oscillation { amplitude, period }) => {
                 let omega = core::f64::consts::TAU / period;
-                let amplitude: Vector<T, 2> = vector(amplitude);
+                let amplitude: Vector<T, D> = vector(amplitude);
                 let speed = 0.5 * omega * (omega * (time + 0.5 * last)).sin();
                 let change = 0.5 * omega * omega * (omega * time).cos();
                 [amplitude * T::of(speed), amplitude * T::of(change)]
@@ -43,7 +43,7 @@ impl<T: Real> Mover<T> {
     }
 
     /// After a step of `dt` \[s\]: the places.
-    pub(super) fn move_on(&self, boundary: &mut Boundary<T, 2>, dt: T) {
+    pub(super) fn move_on(&self, boundary: &mut Boundary<T, D>, dt: T) {
         let by = self.velocity * dt;
         boundary.position[self.range.clone()].iter_mut().for_each(|r| *r += by);
     }

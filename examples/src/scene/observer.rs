@@ -1,7 +1,7 @@
 //! The table of a run: probes, energies, steps.
 
-use super::World;
 use super::probes::Probe;
+use super::{World, units};
 use crate::Failure;
 use mps_io::scene_file::{ProbeForm, SceneFile};
 use mps_io::{CsvTable, TableForm, TableWriter};
@@ -9,32 +9,32 @@ use mps_kernel::{Kernel, Real, Transfer};
 use mps_neighbors::Parallel;
 use std::path::Path;
 
-/// Columns that every scene has, behind those of its probes.
-const COLUMNS: [&str; 10] = [
-    "energy [J/m]",
-    "fluid kinetic [J/m]",
-    "fluid potential [J/m]",
-    "fluid compression [J/m]",
-    "solid kinetic [J/m]",
-    "solid strain [J/m]",
-    "solid potential [J/m]",
-    "work on solids [J/m]",
-    "time step [s]",
-    "sub-steps [-]",
+/// Columns that every scene has, behind those of its probes:
+/// first energies, which have their unit from the dimension.
+const ENERGIES: [&str; 8] = [
+    "energy",
+    "fluid kinetic",
+    "fluid potential",
+    "fluid compression",
+    "solid kinetic",
+    "solid strain",
+    "solid potential",
+    "work on solids",
 ];
+const STEPS: [&str; 2] = ["time step [s]", "sub-steps [-]"];
 
 /// Name of the table.
 pub(super) const TABLE: &str = "probes";
 
 /// Number of columns of the time and the probes, in a table with these names.
 pub(super) fn measured(names: &[String]) -> usize {
-    names.len().saturating_sub(COLUMNS.len())
+    names.len().saturating_sub(ENERGIES.len() + STEPS.len())
 }
 
 /// The record of a run.
-pub(super) struct Observer<T: Real> {
+pub(super) struct Observer<T: Real, const D: usize> {
     written: TableWriter,
-    probes: Vec<Probe<T>>,
+    probes: Vec<Probe<T, D>>,
     /// Names of the columns, the time first.
     pub(super) names: Vec<String>,
     /// Number of columns of the time and the probes.
@@ -43,19 +43,20 @@ pub(super) struct Observer<T: Real> {
     pub(super) rows: Vec<Vec<f64>>,
 }
 
-impl<T: Real> Observer<T> {
+impl<T: Real, const D: usize> Observer<T, D> {
     /// Begins the table, or goes on with that of a run that `resumes`.
     pub(super) fn new<K: Kernel<T>>(
         dir: &Path,
         scene: &SceneFile,
-        world: &World<T, K>,
+        world: &World<T, D, K>,
         resumes: bool,
     ) -> Result<Self, Failure> {
         let probes = Probe::all(scene, world)?;
         let mut names = vec!["time [s]".to_owned()];
         names.extend(probes.iter().flat_map(Probe::columns));
         let measured = names.len();
-        names.extend(COLUMNS.map(str::to_owned));
+        names.extend(ENERGIES.map(|name| format!("{name} [{}]", units::energy::<D>())));
+        names.extend(STEPS.map(str::to_owned));
         let headings: Vec<&str> = names.iter().map(String::as_str).collect();
         let form = match scene.output.probe_form.unwrap_or_default() {
             ProbeForm::Csv => TableForm::Csv,
@@ -69,7 +70,7 @@ impl<T: Real> Observer<T> {
     /// Writes a row of the table; `dt` \[s\] is the step that led here.
     pub(super) fn record<K: Kernel<T>>(
         &mut self,
-        world: &World<T, K>,
+        world: &World<T, D, K>,
         parallel: &Parallel,
         dt: f64,
     ) -> Result<(), Failure> {

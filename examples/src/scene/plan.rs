@@ -1,7 +1,9 @@
 //! What a run will be and cost, measured by its first steps.
 
 use super::disk::{field_bytes, field_frames};
+use super::fields::shown;
 use super::price::{Priced, prices};
+use super::slice::Slice;
 use super::{Diagnosis, Layout, World};
 use crate::{Common, Failure, Precision};
 use mps_io::scene_file::{Diffusion, PressureForm, SceneFile, Slip, Viscosity, Weight};
@@ -19,45 +21,46 @@ const MEASURED: u32 = 20;
 ///
 /// # Errors
 /// If the scene cannot be built or breaks in its first steps.
-pub fn plan(
+pub(super) fn plan<const D: usize>(
     scene: &SceneFile,
-    layout: &Layout,
+    layout: &Layout<D>,
     diagnosis: &Diagnosis,
     common: &Common,
 ) -> Result<String, Failure> {
     match common.precision {
-        Precision::F32 => with_weight::<f32>(scene, layout, diagnosis, common),
-        Precision::F64 => with_weight::<f64>(scene, layout, diagnosis, common),
+        Precision::F32 => with_weight::<f32, D>(scene, layout, diagnosis, common),
+        Precision::F64 => with_weight::<f64, D>(scene, layout, diagnosis, common),
     }
 }
 
-fn with_weight<T: Real>(
+fn with_weight<T: Real, const D: usize>(
     scene: &SceneFile,
-    layout: &Layout,
+    layout: &Layout<D>,
     diagnosis: &Diagnosis,
     common: &Common,
 ) -> Result<String, Failure> {
     match scene.fluid.as_ref().map(|fluid| fluid.numerics.weight) {
-        Some(Weight::Rational) => whole::<T, _>(scene, layout, diagnosis, common, Rational),
-        Some(Weight::Wendland) => whole::<T, _>(scene, layout, diagnosis, common, WendlandC2),
-        Some(Weight::Smooth) | None => whole::<T, _>(scene, layout, diagnosis, common, WendlandGradient),
+        Some(Weight::Rational) => whole::<T, D, _>(scene, layout, diagnosis, common, Rational),
+        Some(Weight::Wendland) => whole::<T, D, _>(scene, layout, diagnosis, common, WendlandC2),
+        Some(Weight::Smooth) | None => whole::<T, D, _>(scene, layout, diagnosis, common, WendlandGradient),
     }
 }
 
-fn whole<T: Real, K: Kernel<T>>(
+fn whole<T: Real, const D: usize, K: Kernel<T>>(
     scene: &SceneFile,
-    layout: &Layout,
+    layout: &Layout<D>,
     diagnosis: &Diagnosis,
     common: &Common,
     weight: K,
 ) -> Result<String, Failure> {
     let parallel = common.parallel()?;
-    let mut world = World::<T, K>::new(scene, layout, weight, &parallel)?;
+    let mut world = World::<T, D, K>::new(scene, layout, weight, &parallel)?;
     let mut text = String::new();
     particles(&mut text, scene, layout, diagnosis);
     physics(&mut text, scene);
     let measured = parallel.install(|| measure(&mut world, &parallel))?;
     steps(&mut text, scene, &world, diagnosis, &measured, &parallel);
+    pictures(&mut text, scene, &world);
     cost(&mut text, scene, layout, &measured, parallel.threads());
     Ok(text)
 }
@@ -72,7 +75,10 @@ struct Measured {
     step: f64,
 }
 
-fn measure<T: Real, K: Kernel<T>>(world: &mut World<T, K>, parallel: &Parallel) -> Result<Measured, Failure> {
+fn measure<T: Real, const D: usize, K: Kernel<T>>(
+    world: &mut World<T, D, K>,
+    parallel: &Parallel,
+) -> Result<Measured, Failure> {
     for _ in 0..WARM {
         world.step(parallel)?;
     }
@@ -87,7 +93,12 @@ fn measure<T: Real, K: Kernel<T>>(world: &mut World<T, K>, parallel: &Parallel) 
 }
 
 // Writing into a String cannot fail, here and below.
-fn particles(text: &mut String, scene: &SceneFile, layout: &Layout, diagnosis: &Diagnosis) {
+fn particles<const D: usize>(
+    text: &mut String,
+    scene: &SceneFile,
+    layout: &Layout<D>,
+    diagnosis: &Diagnosis,
+) {
     let (fluid, walls, solids) = (layout.fluid_len(), layout.walls_len(), layout.solids_len());
     let fixed = if scene.fixed.is_empty() {
         String::new()
@@ -150,14 +161,14 @@ fn physics(text: &mut String, scene: &SceneFile) {
     if scene.fluid.is_some() {
         let active = all.iter().filter(|(on, ..)| *on);
         let priced: Vec<_> = active.filter_map(|(_, what, price)| Some((*what, (*price)?))).collect();
-        text.push_str(&prices(&priced));
+        text.push_str(&prices(scene.dimension, &priced));
     }
 }
 
-fn steps<T: Real, K: Kernel<T>>(
+fn steps<T: Real, const D: usize, K: Kernel<T>>(
     text: &mut String,
     scene: &SceneFile,
-    world: &World<T, K>,
+    world: &World<T, D, K>,
     diagnosis: &Diagnosis,
     measured: &Measured,
     parallel: &Parallel,
@@ -184,8 +195,8 @@ fn steps<T: Real, K: Kernel<T>>(
 }
 
 /// The limits of the step of the fluid (eq. 46) \[s\] and what each is due to.
-fn limits<T: Real, K: Kernel<T>>(
-    fluid: &super::water::Water<T, K>,
+fn limits<T: Real, const D: usize, K: Kernel<T>>(
+    fluid: &super::water::Water<T, D, K>,
     description: &mps_io::scene_file::Fluid,
 ) -> [(f64, &'static str); 3] {
     let (l0, c, cfl) = (description.spacing, description.sound(), description.numerics.cfl);
@@ -203,7 +214,25 @@ fn limits<T: Real, K: Kernel<T>>(
     ]
 }
 
-fn cost(text: &mut String, scene: &SceneFile, layout: &Layout, measured: &Measured, threads: usize) {
+/// What pictures and film show, where that is not everything.
+fn pictures<T: Real, const D: usize, K: Kernel<T>>(
+    text: &mut String,
+    scene: &SceneFile,
+    world: &World<T, D, K>,
+) {
+    if D == 3 {
+        let (_, Slice { z }) = shown(scene, world);
+        let _ = writeln!(text, "pictures       the particles near the plane z = {z:.4} m");
+    }
+}
+
+fn cost<const D: usize>(
+    text: &mut String,
+    scene: &SceneFile,
+    layout: &Layout<D>,
+    measured: &Measured,
+    threads: usize,
+) {
     let _ = writeln!(
         text,
         "fields         {:.0} frames, at most {:.1} MB before compression",

@@ -25,19 +25,19 @@ impl Priced {
     }
 }
 
-fn price(name: &str) -> Option<Price> {
+fn price(dimension: usize, name: &str) -> Option<Price> {
+    let kind = if dimension == 3 { "3d/f64/" } else { "2d/f64/" };
     let fields = |line: &'static str| {
-        let mut fields =
-            line.strip_prefix("2d/f64/")?.strip_prefix(name)?.strip_prefix(',')?.split(',').skip(1);
+        let mut fields = line.strip_prefix(kind)?.strip_prefix(name)?.strip_prefix(',')?.split(',').skip(1);
         Some(Price { instructions: fields.next()?.parse().ok()?, bytes: fields.next()?.parse().ok()? })
     };
     TABLE.lines().find_map(fields)
 }
 
-/// The price of a fluid with these, one a line.
-pub(super) fn prices(active: &[(&str, Priced)]) -> String {
+/// The price of a fluid with these in this dimension, one a line.
+pub(super) fn prices(dimension: usize, active: &[(&str, Priced)]) -> String {
     let mut text = String::new();
-    let Some(bare) = price(BARE) else { return text };
+    let Some(bare) = price(dimension, BARE) else { return text };
     // Writing into a String cannot fail.
     let _ = writeln!(
         text,
@@ -45,7 +45,7 @@ pub(super) fn prices(active: &[(&str, Priced)]) -> String {
         bare.instructions, bare.bytes
     );
     for (what, Priced(name, base)) in active {
-        if let (Some(with), Some(without)) = (price(name), price(base)) {
+        if let (Some(with), Some(without)) = (price(dimension, name), price(dimension, base)) {
             let (instructions, bytes) =
                 (with.instructions - without.instructions, with.bytes - without.bytes);
             let _ =
@@ -79,12 +79,15 @@ mod tests {
             "scene",
             "structure",
         ] {
-            assert!(
-                price(name).is_some_and(|price| price.instructions > 100.0 && price.bytes > 100.0),
-                "{name}"
-            );
+            for dimension in [2, 3] {
+                assert!(
+                    price(dimension, name)
+                        .is_some_and(|price| price.instructions > 100.0 && price.bytes > 100.0),
+                    "{name} in {dimension}D"
+                );
+            }
         }
-        let text = prices(&[("collisions (DPC)", Priced::alone("collisions"))]);
+        let text = prices(2, &[("collisions (DPC)", Priced::alone("collisions"))]);
         assert!(text.lines().count() == 3 && text.contains(" bytes: collisions (DPC)\n"), "{text}");
     }
 }

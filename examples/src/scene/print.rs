@@ -1,9 +1,8 @@
 //! Scenes that programs describe instead of running them.
 
-use super::{Layout, diagnose};
+use super::Examined;
 use crate::{Common, Failure};
-use mps_io::scene_file::{Output, PressureForm, SceneError, SceneFile, Source, parse};
-use mps_neighbors::Parallel;
+use mps_io::scene_file::{Output, PressureForm, SceneFile, Source, parse};
 
 /// Prints the scene file that is the run of a `program` with its options, after it has passed what `mps check` asks for.
 ///
@@ -22,11 +21,7 @@ pub fn print_scene(program: &str, mut scene: SceneFile, common: &Common) -> Resu
     }
     let text = scene.to_toml()?;
     let source = Source::new(format!("the scene of {program}"), text.as_str());
-    let layout = Layout::new(&parse(&source)?, &source)?;
-    let refusals = diagnose(&scene, &source, &layout, &Parallel::serial())?.refusals;
-    if !refusals.is_empty() {
-        return Err(SceneError::Refused(refusals).into());
-    }
+    Examined::new(parse(&source)?, &source)?.without_refusals()?;
     say(&format!(
         "# What `{program}` runs with the options this was printed with: mps run FILE --precision {}\n{text}",
         common.precision.name()

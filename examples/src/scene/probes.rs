@@ -2,6 +2,7 @@
 
 use super::interface_probes::{WallPart, handed};
 use super::lattice::Place;
+use super::units::{self, each_axis};
 use super::water_probes::{front, level, mean_around};
 use super::{World, vector};
 use crate::Failure;
@@ -10,28 +11,28 @@ use mps_kernel::{Kernel, Real, Transfer, Vector};
 use mps_solid::MaterialPoint;
 
 /// A probe in a scene that runs.
-pub(super) struct Probe<T: Real> {
+pub(super) struct Probe<T: Real, const D: usize> {
     name: String,
-    sense: Sense<T>,
+    sense: Sense<T, D>,
 }
 
-enum Sense<T: Real> {
-    Pressure(Vec<Vector<T, 2>>),
-    Velocity(Vec<Vector<T, 2>>),
+enum Sense<T: Real, const D: usize> {
+    Pressure(Vec<Vector<T, D>>),
+    Velocity(Vec<Vector<T, D>>),
     Front {
-        start: [f64; 2],
+        start: Place<D>,
         height: f64,
         sign: f64,
     },
-    Level([f64; 2]),
+    Level(Place<D>),
     Displacement {
         solid: usize,
-        point: MaterialPoint<T, 2>,
+        point: MaterialPoint<T, D>,
     },
     /// Mean force on structures since the row before, of which it keeps impulse and time.
     Force {
         bodies: Vec<usize>,
-        impulse: [f64; 2],
+        impulse: [f64; D],
         time: f64,
     },
     Wall(WallPart),
@@ -39,26 +40,26 @@ enum Sense<T: Real> {
     Budget(Vec<usize>),
 }
 
-impl<T: Real> Probe<T> {
+impl<T: Real, const D: usize> Probe<T, D> {
     /// All probes of a scene.
     ///
     /// # Errors
     /// If a point is not of its body.
-    pub(super) fn all<K: Kernel<T>>(scene: &SceneFile, world: &World<T, K>) -> Result<Vec<Self>, Failure> {
+    pub(super) fn all<K: Kernel<T>>(scene: &SceneFile, world: &World<T, D, K>) -> Result<Vec<Self>, Failure> {
         scene.probes.iter().map(|probe| Self::new(probe, scene, world)).collect()
     }
 
     fn new<K: Kernel<T>>(
         probe: &Description,
         scene: &SceneFile,
-        world: &World<T, K>,
+        world: &World<T, D, K>,
     ) -> Result<Self, Failure> {
-        let place = |point: &[f64]| Place::from(vector::<f64>(point));
+        let place = |point: &[f64]| Place::<D>::from(vector::<f64, D>(point));
         let sense = match &probe.measure {
             Measure::Pressure(pressure) => Sense::Pressure(vec![vector(&pressure.at)]),
             Measure::Velocity(velocity) => Sense::Velocity(vec![vector(&velocity.at)]),
             Measure::Line(line) => {
-                let (from, to) = (vector::<T>(&line.from), vector::<T>(&line.to));
+                let (from, to) = (vector::<T, D>(&line.from), vector::<T, D>(&line.to));
                 let share = |k: usize| T::of(k as f64 / (line.points - 1) as f64);
                 let places = (0..line.points).map(|k| from + (to - from) * share(k)).collect();
                 match line.of {
@@ -79,11 +80,12 @@ impl<T: Real> Probe<T> {
             }
             Measure::Force(force) => {
                 let bodies = structures(scene, &force.on)?;
-                Sense::Force { bodies, impulse: [0.0; 2], time: f64::NEG_INFINITY }
+                Sense::Force { bodies, impulse: [0.0; D], time: f64::NEG_INFINITY }
             }
             Measure::WallPressure(wall) => {
                 let body = structures(scene, std::slice::from_ref(&wall.on))?[0];
-                Sense::Wall(WallPart::new(world, body, place(&wall.from), place(&wall.to))?)
+                let [from, to] = [&wall.from, &wall.to].map(|end| vector::<f64, 2>(end).into());
+                Sense::Wall(WallPart::new(world, body, from, to)?)
             }
             Measure::Budget(budget) => Sense::Budget(structures(scene, &budget.on)?),
         };
@@ -93,9 +95,8 @@ impl<T: Real> Probe<T> {
     /// Names of its columns.
     pub(super) fn columns(&self) -> Vec<String> {
         let name = &self.name;
-        let both = |name: &str, unit: &str| ["x", "y"].map(|axis| format!("{name} {axis} [{unit}]"));
         // A place alone needs no number.
-        let numbered = |places: &[Vector<T, 2>]| -> Vec<String> {
+        let numbered = |places: &[Vector<T, D>]| -> Vec<String> {
             match places.len() {
                 1 => vec![name.clone()],
                 count => (1..=count).map(|k| format!("{name} {k}")).collect(),
@@ -103,14 +104,23 @@ impl<T: Real> Probe<T> {
         };
         match &self.sense {
             Sense::Pressure(places) => numbered(places).iter().map(|name| format!("{name} [Pa]")).collect(),
-            Sense::Velocity(places) => numbered(places).iter().flat_map(|name| both(name, "m/s")).collect(),
+            Sense::Velocity(places) => numbered(places)
+                .iter()
+                .flat_map(|name| each_axis::<D>(name, "m/s").collect::<Vec<_>>())
+                .collect(),
             Sense::Wall(_) => vec![format!("{name} [Pa]")],
             Sense::Front { .. } | Sense::Level(_) => vec![format!("{name} [m]")],
-            Sense::Displacement { .. } => both(name, "m").into(),
-            Sense::Force { .. } => both(name, "N/m").into(),
+            Sense::Displacement { .. } => each_axis::<D>(name, "m").collect(),
+            Sense::Force { .. } => each_axis::<D>(name, units::force::<D>()).collect(),
             Sense::Budget(_) => {
-                let rest = [format!("{name} angular impulse [N s]"), format!("{name} work [J/m]")];
-                both(&format!("{name} impulse"), "N s/m").into_iter().chain(rest).collect()
+                let (linear, turning) = (format!("{name} impulse"), format!("{name} angular impulse"));
+                let unit = units::angular_impulse::<D>();
+                let angular = match D {
+                    2 => vec![format!("{turning} [{unit}]")],
+                    _ => each_axis::<D>(&turning, unit).collect(),
+                };
+                let work = format!("{name} work [{}]", units::energy::<D>());
+                each_axis::<D>(&linear, units::impulse::<D>()).chain(angular).chain([work]).collect()
             }
         }
     }
@@ -124,20 +134,21 @@ impl<T: Real> Probe<T> {
     }
 
     /// Appends its present values to a row.
-    pub(super) fn measure<K: Kernel<T>>(&mut self, world: &World<T, K>, row: &mut Vec<f64>) {
+    pub(super) fn measure<K: Kernel<T>>(&mut self, world: &World<T, D, K>, row: &mut Vec<f64>) {
         match &mut self.sense {
             Sense::Force { bodies, impulse, time } => {
                 let since = world.time() - *time;
-                let [x, y, ..] = handed(world, bodies);
-                row.extend([(x - impulse[0]) / since, (y - impulse[1]) / since]);
-                (*impulse, *time) = ([x, y], world.time());
+                let all = handed(world, bodies);
+                row.extend(all.iter().zip(&*impulse).map(|(now, before)| (now - before) / since));
+                impulse.iter_mut().zip(all).for_each(|(impulse, now)| *impulse = now);
+                *time = world.time();
             }
             Sense::Budget(bodies) => row.extend(handed(world, bodies)),
             Sense::Wall(part) => row.push(part.pressure(world)),
             Sense::Displacement { solid, point } => {
                 let moved =
                     world.solid(*solid).map(|solid| point.value(solid.positions()) - point.reference());
-                row.extend(moved.unwrap_or_default().iter().map(|x| x.to_double()));
+                row.extend(moved.unwrap_or_else(Vector::zeros).iter().map(|x| x.to_double()));
             }
             of_fluid => {
                 let Some(fluid) = world.fluid() else { return };
@@ -151,7 +162,7 @@ impl<T: Real> Probe<T> {
                     Sense::Velocity(places) => {
                         let velocity = |k: usize| particles.velocity[k].map(Real::to_double).into();
                         row.extend(
-                            places.iter().flat_map(|at| -> [f64; 2] { mean_around(at, l0, r, velocity) }),
+                            places.iter().flat_map(|at| -> [f64; D] { mean_around(at, l0, r, velocity) }),
                         );
                     }
                     Sense::Front { start, height, sign } => row.push(front(r, l0, *start, *height, *sign)),

@@ -21,13 +21,17 @@ pub(super) fn plots(dir: &Path, title: &str, table: &CsvTable, measured: usize) 
             .write_png(dir.join(format!("probe_{file}.png")))?;
     }
     // Where zero of a potential lies has no meaning: what counts is the change.
-    let mut energies = CurvePlot::new(title, &names[0], "energy since the start [J/m]");
+    let unit = names.get(measured).and_then(|total| total.rsplit_once(" [")).map_or("J]", |(_, unit)| unit);
+    let mut energies = CurvePlot::new(title, &names[0], &format!("energy since the start [{unit}"));
     for (name, column) in names.iter().zip(columns).skip(measured) {
         let mut column = column.clone();
         let start = column.first().copied().unwrap_or(0.0);
         column.iter_mut().for_each(|value| *value -= start);
-        if name.ends_with("[J/m]") && column.iter().any(|value| *value != 0.0) {
-            energies = energies.line(name.trim_end_matches(" [J/m]"), time, &column);
+        if let Some((name, its)) = name.rsplit_once(" [")
+            && its == unit
+            && column.iter().any(|value| *value != 0.0)
+        {
+            energies = energies.line(name, time, &column);
         }
     }
     if measured < names.len() {
@@ -37,11 +41,11 @@ pub(super) fn plots(dir: &Path, title: &str, table: &CsvTable, measured: usize) 
 }
 
 /// Settings and results; what the run has cost is entered later.
-pub(super) fn summary<T: Real>(
+pub(super) fn summary<T: Real, const D: usize>(
     name: &str,
     scene: &SceneFile,
-    layout: &Layout,
-    observer: &Observer<T>,
+    layout: &Layout<D>,
+    observer: &Observer<T, D>,
 ) -> Summary {
     let mut summary = Summary::new("mps", env!("CARGO_PKG_VERSION"));
     summary.set("scene", name);

@@ -1,7 +1,7 @@
 //! A run that goes on from its last checkpoint.
 
-use super::Layout;
-use super::run::{PROGRAM, Plan, run_plan};
+use super::dimension::AnyLayout;
+use super::run::{PROGRAM, Plan};
 use crate::{Common, Failure, Precision, Refused};
 use mps_io::checkpoint::{Identity, Rotation};
 use mps_io::scene_file;
@@ -30,10 +30,11 @@ pub fn resume(dir: &Path, end: Option<f64>, common: &Common, interval: f64) -> R
     };
     let end = end.unwrap_or(scene.end_time);
     Refused::unless(end.is_finite() && end > 0.0, "--end-time", end, "give the simulated time in seconds")?;
-    let layout = Layout::new(&scene, &source)?;
     let name = setting("name").to_owned();
-    let plan = Plan { scene: &scene, layout: &layout, name: &name, common: &common, end, interval, rotation };
-    run_plan(plan, Some((&checkpoint.state, &path)))
+    let from = Some((&checkpoint.state, path.as_path()));
+    let layout = AnyLayout::new(&scene, &source)?;
+    let plan = Plan { scene: &scene, name: &name, common: &common, end, interval, rotation };
+    layout.run_plan(plan, from)
 }
 
 /// The directory of the checkpoints of a run in `dir`.

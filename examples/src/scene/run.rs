@@ -1,5 +1,6 @@
 //! A run of a scene, from its beginning or from a checkpoint.
 
+use super::dimension::AnyLayout;
 use super::fields::Fields;
 use super::keeper::Keeper;
 use super::observer::Observer;
@@ -20,7 +21,6 @@ pub(super) const PROGRAM: &str = concat!("mps ", env!("CARGO_PKG_VERSION"));
 /// What is to be run, and how.
 pub(super) struct Plan<'a> {
     pub(super) scene: &'a SceneFile,
-    pub(super) layout: &'a Layout,
     pub(super) name: &'a str,
     /// With the directory of the results.
     pub(super) common: &'a Common,
@@ -32,17 +32,12 @@ pub(super) struct Plan<'a> {
 }
 
 /// A state to go on from, and the file it was in.
-type Origin<'a> = Option<(&'a State, &'a Path)>;
+pub(super) type Origin<'a> = Option<(&'a State, &'a Path)>;
 
-/// Runs a scene that has been found good, and writes its results to the directory of `common`, else to that of the
-/// scene, else to `out/<name>`. Every `interval` seconds of wall time it writes a checkpoint there, none for zero; one more at a signal, and at
-/// the end.
-///
-/// # Errors
-/// What breaks the run off. What has been computed until then is kept.
-pub fn run(
+/// As [`Examined::run`](super::Examined::run).
+pub(super) fn begin(
     scene: &SceneFile,
-    layout: &Layout,
+    layout: &AnyLayout,
     name: &str,
     common: &Common,
     interval: f64,
@@ -55,31 +50,44 @@ pub fn run(
     rotation.clear()?;
     PostMortem::clear(&dir)?;
     // The scene as it is run, beside its results.
-    std::fs::write(dir.join("scene.toml"), scene.to_toml()?)?;
-    run_plan(Plan { scene, layout, name, common: &common, end: scene.end_time, interval, rotation }, None)
+    let scene = &scene.write_to(&dir)?;
+    layout.run_plan(Plan { scene, name, common: &common, end: scene.end_time, interval, rotation }, None)
 }
 
-pub(super) fn run_plan(plan: Plan<'_>, from: Origin<'_>) -> Result<(), Failure> {
+pub(super) fn run_plan<const D: usize>(
+    plan: Plan<'_>,
+    layout: &Layout<D>,
+    from: Origin<'_>,
+) -> Result<(), Failure> {
     match plan.common.precision {
-        Precision::F32 => with_weight::<f32>(plan, from),
-        Precision::F64 => with_weight::<f64>(plan, from),
+        Precision::F32 => with_weight::<f32, D>(plan, layout, from),
+        Precision::F64 => with_weight::<f64, D>(plan, layout, from),
     }
 }
 
-fn with_weight<T: Real>(plan: Plan<'_>, from: Origin<'_>) -> Result<(), Failure> {
+fn with_weight<T: Real, const D: usize>(
+    plan: Plan<'_>,
+    layout: &Layout<D>,
+    from: Origin<'_>,
+) -> Result<(), Failure> {
     match plan.scene.fluid.as_ref().map(|fluid| fluid.numerics.weight) {
-        Some(Weight::Rational) => whole::<T, _>(plan, Rational, from),
-        Some(Weight::Wendland) => whole::<T, _>(plan, WendlandC2, from),
+        Some(Weight::Rational) => whole::<T, D, _>(plan, layout, Rational, from),
+        Some(Weight::Wendland) => whole::<T, D, _>(plan, layout, WendlandC2, from),
         // Without a fluid any weight will do.
-        Some(Weight::Smooth) | None => whole::<T, _>(plan, WendlandGradient, from),
+        Some(Weight::Smooth) | None => whole::<T, D, _>(plan, layout, WendlandGradient, from),
     }
 }
 
-fn whole<T: Real, K: Kernel<T>>(plan: Plan<'_>, weight: K, from: Origin<'_>) -> Result<(), Failure> {
-    let Plan { scene, layout, name, common, end, interval, rotation } = plan;
+fn whole<T: Real, const D: usize, K: Kernel<T>>(
+    plan: Plan<'_>,
+    layout: &Layout<D>,
+    weight: K,
+    from: Origin<'_>,
+) -> Result<(), Failure> {
+    let Plan { scene, name, common, end, interval, rotation } = plan;
     let parallel = common.parallel()?;
     // As at the start of the run also where it goes on: what pictures show is found from there.
-    let mut world = World::<T, K>::new(scene, layout, weight, &parallel)?;
+    let mut world = World::<T, D, K>::new(scene, layout, weight, &parallel)?;
     let dir = common.output(name)?;
     let mut observer = Observer::new(&dir, scene, &world, from.is_some())?;
     let fields = if common.no_fields { None } else { Some(Fields::new(&dir, scene, &world)?) };

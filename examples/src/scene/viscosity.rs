@@ -19,17 +19,21 @@ pub enum Viscous<T> {
 
 impl<T: Real> Viscous<T> {
     /// From its description, for a fluid of this sound speed \[m/s\] on the given lattice.
-    pub fn new(viscosity: &scene_file::Viscosity, sound: T, reference: &ReferenceDensity<T>) -> Self {
+    pub fn new<const D: usize>(
+        viscosity: &scene_file::Viscosity,
+        sound: T,
+        reference: &ReferenceDensity<T>,
+    ) -> Self {
         match *viscosity {
             scene_file::Viscosity::None => Self::None,
             scene_file::Viscosity::Artificial(alpha) => {
-                Self::Artificial(ArtificialViscosity::new::<2>(T::of(alpha), sound, reference))
+                Self::Artificial(ArtificialViscosity::new::<D>(T::of(alpha), sound, reference))
             }
             scene_file::Viscosity::Laminar(nu) => {
-                Self::Laminar(LaminarViscosity::new::<2>(T::of(nu), reference))
+                Self::Laminar(LaminarViscosity::new::<D>(T::of(nu), reference))
             }
             scene_file::Viscosity::Compact(nu) => {
-                Self::Compact(CompactViscosity::new::<2>(T::of(nu), reference))
+                Self::Compact(CompactViscosity::new::<D>(T::of(nu), reference))
             }
         }
     }

@@ -14,13 +14,13 @@ use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::Open;
 
 /// The fluid of a scene.
-pub(super) type Water<T, K> = physics::Fluid<T, 2, K, Viscous<T>>;
+pub(super) type Water<T, const D: usize, K> = physics::Fluid<T, D, K, Viscous<T>>;
 
 /// A fluid with its walls, and those of them that move.
-type Filled<T, K> = (Water<T, K>, Vec<Mover<T>>);
+type Filled<T, const D: usize, K> = (Water<T, D, K>, Vec<Mover<T, D>>);
 
 /// The parameters of the fluid.
-pub(super) fn config<T: Real>(fluid: &Fluid, gravity: &[f64]) -> FluidConfig<T, 2> {
+pub(super) fn config<T: Real, const D: usize>(fluid: &Fluid, gravity: &[f64]) -> FluidConfig<T, D> {
     let numerics = &fluid.numerics;
     FluidConfig {
         density: T::of(fluid.density),
@@ -57,13 +57,13 @@ pub(super) fn slip(slip: Slip) -> physics::Slip {
 }
 
 /// The fluid with its walls, and the walls that move.
-pub(super) fn water<T: Real, K: Kernel<T>>(
+pub(super) fn water<T: Real, const D: usize, K: Kernel<T>>(
     scene: &SceneFile,
     fluid: &Fluid,
-    layout: &Layout,
+    layout: &Layout<D>,
     weight: K,
-) -> Result<Filled<T, K>, Failure> {
-    let config = config::<T>(fluid, &scene.gravity);
+) -> Result<Filled<T, D, K>, Failure> {
+    let config = config::<T, D>(fluid, &scene.gravity);
     let places: Vec<_> = layout.fluid.iter().flat_map(|body| vectors(body)).collect();
     let mut particles = FluidParticles::at_rest(places);
     let eos = config.equation_of_state();
@@ -88,7 +88,7 @@ pub(super) fn water<T: Real, K: Kernel<T>>(
         }
     }
     let sound = config.sound_speed;
-    let viscosity = |reference: &_| Viscous::new(&fluid.viscosity, sound, reference);
+    let viscosity = |reference: &_| Viscous::new::<D>(&fluid.viscosity, sound, reference);
     let mut filled = physics::Fluid::new(config, weight, viscosity, Open, particles, boundary)?;
     for described in &fluid.inlets {
         filled.add_inlet(inlet(described))?;
@@ -100,7 +100,7 @@ pub(super) fn water<T: Real, K: Kernel<T>>(
 }
 
 /// Pressure above the background \[Pa\] at the start.
-fn pressure<T: Real>(body: &Body, config: &FluidConfig<T, 2>, r: &Vector<T, 2>) -> T {
+fn pressure<T: Real, const D: usize>(body: &Body, config: &FluidConfig<T, D>, r: &Vector<T, D>) -> T {
     let g = config.gravity.norm();
     let Some(Corners { lower, upper }) = body.region.bounds() else { return T::zero() };
     match body.pressure {

@@ -9,6 +9,7 @@
 //! |---|---|
 //! | `scene` | the whole |
 //! | `region`, `inside` | shapes, and what is inside them |
+//! | `outline/*` | shapes from files of their own |
 //! | `fluid`, `openings`, `walls`, `solids`, `fixed` | what there is |
 //! | `probes`, `output`, `choice`, `watch` | what is measured and written, and what a run is watched for |
 //! | `source`, `suggest` | where a key is, and which one was meant |
@@ -21,6 +22,7 @@ mod fixed;
 mod fluid;
 mod inside;
 mod openings;
+mod outline;
 mod output;
 mod probes;
 mod reference;
@@ -38,16 +40,17 @@ pub use fluid::{
     Body, Diffusion, Fluid, InitialPressure, Numerics, PressureForm, Tension, Viscosity, Weight,
 };
 pub use openings::{Inlet, Outlet, Profile};
+pub use outline::Outline;
 pub use output::Output;
 pub use probes::{
     BudgetProbe, DisplacementProbe, ForceProbe, FrontProbe, LevelProbe, LineProbe, LineQuantity, Measure,
     PressureProbe, Probe, VelocityProbe, WallPressureProbe, Way,
 };
 pub use reference::reference;
-pub use region::{Corners, Disc, Point, Region};
+pub use region::{Corners, Disc, HalfSpace, Point, Region, Tube};
 pub use scene::{SceneFile, parse, read, schema};
 pub use solids::{Clamp, Elasticity, InitialVelocity, Material, Side, Solid};
 pub use source::{Problem, SceneError, Source};
 pub use suggest::closest;
-pub use walls::{Motion, Oscillation, Shape, Slip, Steady, Wall};
+pub use walls::{Motion, Oscillation, Shape, Slip, Steady, Tank, Wall};
 pub use watch::{OnFailure, Retry, Watch};

@@ -70,7 +70,7 @@ pub enum Way {
     Left,
 }
 
-/// Height (m) of the fluid that hangs together above the foot, within two spacings along x
+/// Height (m) of the fluid that hangs together above the foot, within two spacings along x and z
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LevelProbe {
@@ -130,7 +130,7 @@ pub enum LineQuantity {
     Velocity,
 }
 
-/// Load (Pa) on the surface between two points: the force of the last step on the points of the body behind it, up to an effective radius deep, over its length.
+/// In two dimensions: load (Pa) on the surface between two points: the force of the last step on the points of the body behind it, up to an effective radius deep, over its length.
 /// That is what the surface bears, momentum for momentum, and not the pressure of the particles before it
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -143,7 +143,8 @@ pub struct WallPressureProbe {
     pub to: Point,
 }
 
-/// Impulse (N s/m) per dimension, angular impulse about the origin (N s) and work (J/m) handed to bodies since the start
+/// Impulse per dimension (N s), angular impulse about the origin (N m s), in three dimensions about each axis, and work (J)
+/// handed to bodies since the start; in two dimensions all per metre of depth
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BudgetProbe {

@@ -1,5 +1,6 @@
 //! Shapes and what can be made of them.
 
+use super::outline::Outline;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -12,11 +13,20 @@ pub type Point = Vec<f64>;
 pub enum Region {
     /// A box along the axes
     Box(Corners),
-    /// A disc, in three dimensions a ball
+    /// A disc, in two dimensions
     Circle(Disc),
+    /// A ball, in three dimensions
+    Ball(Disc),
+    /// A cylinder with flat ends, in three dimensions
+    Cylinder(Tube),
+    /// Everything on one side of a plane (in two dimensions of a line): only to be taken away in a difference, because it
+    /// has no end
+    HalfSpace(HalfSpace),
     /// What a closed line through these corners (m) encloses, in two dimensions; where it crosses itself, every
     /// other part
     Polygon(Vec<Point>),
+    /// What a closed line or surface from a file encloses
+    Outline(Outline),
     /// Everything that is in one of them at least
     Union(Vec<Region>),
     /// The first without all the others
@@ -33,7 +43,7 @@ pub struct Corners {
     pub upper: Point,
 }
 
-/// A disc
+/// A disc, in three dimensions a ball
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Disc {
@@ -41,6 +51,28 @@ pub struct Disc {
     pub center: Point,
     /// Radius (m)
     pub radius: f64,
+}
+
+/// A cylinder with flat ends
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Tube {
+    /// Middle of one end (m)
+    pub from: Point,
+    /// Middle of the other (m)
+    pub to: Point,
+    /// Radius (m)
+    pub radius: f64,
+}
+
+/// One side of a plane, in two dimensions of a line
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HalfSpace {
+    /// A point of the plane (m)
+    pub through: Point,
+    /// Across the plane, to the side that is meant, of any length
+    pub toward: Point,
 }
 
 impl Corners {

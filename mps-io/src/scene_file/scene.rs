@@ -3,6 +3,7 @@
 use super::check;
 use super::fixed::Fixed;
 use super::fluid::Fluid;
+use super::outline;
 use super::output::Output;
 use super::probes::Probe;
 use super::region::Point;
@@ -21,7 +22,7 @@ use std::path::Path;
 pub struct SceneFile {
     /// Title of the pictures
     pub title: String,
-    /// Number of dimensions; so far 2
+    /// Number of dimensions, 2 or 3
     #[serde(default = "two")]
     pub dimension: usize,
     /// Simulated time (s)
@@ -97,12 +98,16 @@ pub fn read(path: impl AsRef<Path>) -> Result<(SceneFile, Source), SceneError> {
     Ok((parse(&source)?, source))
 }
 
-/// Reads a scene from text.
+/// Reads a scene from text; files that belong to it are looked for beside the file the text is named after.
 ///
 /// # Errors
 /// As [`read`].
 pub fn parse(source: &Source) -> Result<SceneFile, SceneError> {
-    let scene: SceneFile = toml::from_str(source.text()).map_err(|error| reworded(source, &error))?;
+    let mut scene: SceneFile = toml::from_str(source.text()).map_err(|error| reworded(source, &error))?;
+    let unread = outline::load(&mut scene, source);
+    if !unread.is_empty() {
+        return Err(SceneError::Refused(unread));
+    }
     check::check(&scene, source)?;
     Ok(scene)
 }

@@ -102,20 +102,25 @@ pub enum Side {
     Bottom,
     /// Upper end of y
     Top,
+    /// Lower end of z
+    Back,
+    /// Upper end of z
+    Front,
 }
 
 impl Side {
-    /// The axis it lies across: 0 for x, 1 for y.
+    /// The axis it lies across: 0 for x, 1 for y, 2 for z.
     pub fn axis(self) -> usize {
         match self {
             Self::Left | Self::Right => 0,
             Self::Bottom | Self::Top => 1,
+            Self::Back | Self::Front => 2,
         }
     }
 
     /// Whether it is the upper end of its axis.
     pub fn is_upper(self) -> bool {
-        matches!(self, Self::Right | Self::Top)
+        matches!(self, Self::Right | Self::Top | Self::Front)
     }
 }
 

@@ -56,6 +56,14 @@ pub enum SceneError {
         /// The answer of the TOML library.
         reason: String,
     },
+    /// The scene, or a file that belongs to it, cannot be written.
+    #[error("cannot write {}: {reason}. Check that the directory may be written to and the disk has room", path.display())]
+    NotWritten {
+        /// The file.
+        path: PathBuf,
+        /// The answer of the operating system.
+        reason: String,
+    },
     /// The scene is refused.
     #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
     Refused(Vec<Problem>),

@@ -1,6 +1,7 @@
 //! Walls, at rest or moved.
 
-use super::region::{Point, Region};
+use super::region::{Corners, Point, Region};
+use super::solids::Side;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -38,13 +39,47 @@ impl Wall {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Shape {
-    /// Along the line through these points (m), as thick as the effective radius, built to the right as one walks
-    /// along it: the fluid is on the left
+    /// In two dimensions: along the line through these points (m), as thick as the effective radius, built to the right
+    /// as one walks along it: the fluid is on the left
     Line(Vec<Point>),
     /// The same, back to its first point: counter-clockwise around the fluid
     Ring(Vec<Point>),
     /// What the region encloses: plates and blocks with fluid on several sides
     Region(Region),
+    /// Around a box, as thick as the effective radius
+    Tank(Tank),
+}
+
+/// The sides of a box, built outwards
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Tank {
+    /// Corner with the smallest coordinates of its inside (m)
+    pub lower: Point,
+    /// Corner with the largest coordinates of its inside (m)
+    pub upper: Point,
+    /// Sides without a wall; the others end where these begin
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub open: Vec<Side>,
+}
+
+impl Tank {
+    /// The box it has inside.
+    pub fn inside(&self) -> Corners {
+        Corners { lower: self.lower.clone(), upper: self.upper.clone() }
+    }
+
+    /// The box it fills with its walls, which are `depth` \[m\] thick.
+    pub fn outside(&self, depth: f64) -> Corners {
+        let Corners { mut lower, mut upper } = self.inside();
+        for side in [Side::Left, Side::Right, Side::Bottom, Side::Top, Side::Back, Side::Front] {
+            let end = if side.is_upper() { &mut upper } else { &mut lower };
+            if let (Some(end), false) = (end.get_mut(side.axis()), self.open.contains(&side)) {
+                *end += if side.is_upper() { depth } else { -depth };
+            }
+        }
+        Corners { lower, upper }
+    }
 }
 
 /// How the fluid moves along a surface

@@ -12,7 +12,7 @@ pub struct Watch {
     pub steps: u32,
     /// A step that is shorter than this share of the mean of the last ones has collapsed (-); 0 for not watched
     pub collapse: f64,
-    /// The energy of fluid and bodies may rise by this much in a step (J/m): more than moving walls and inlets bring; not
+    /// The energy of fluid and bodies may rise by this much in a step (J, in two dimensions J/m): more than moving walls and inlets bring; not
     /// watched if left out. Costs a sum over all particles in every step
     #[serde(skip_serializing_if = "Option::is_none")]
     pub energy_rise: Option<f64>,

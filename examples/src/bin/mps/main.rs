@@ -3,48 +3,29 @@
 mod options;
 
 use clap::Parser;
-use mps_examples::scene::{
-    Diagnosis, Drawing, Layout, Window, diagnose, harmonics, plan, plot, resume, run, short_of_disk,
-};
+use mps_examples::scene::{Drawing, Examined, Window, harmonics, plot, resume};
 use mps_examples::{Common, Failure, Precision, Refused, exit_code};
-use mps_io::scene_file::{self, SceneError, SceneFile};
-use mps_neighbors::Parallel;
-use options::{Begin, Command, Harmonics, Options, Plot, Resume, Run};
+use mps_io::scene_file;
+use options::{Begin, Command, Harmonics, Options, Plot, Resume, Run, Way};
 use std::path::Path;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let done = match Options::parse().command {
-        Command::Run(Begin { run: options, keep, on_failure }) => Loaded::of(&options).and_then(|loaded| {
-            let Loaded { mut scene, layout, .. } = loaded.without_refusals()?;
-            if let Some(way) = on_failure {
-                scene.watch.on_failure = way.with_numbers_of(scene.watch.on_failure);
-            }
-            let name = name(&options.scene);
-            short_of_disk(&scene, &layout, &options.common, name).iter().for_each(|short| warn(short));
-            run(&scene, &layout, name, &options.common, keep.interval()?)
-        }),
+        Command::Run(options) => begin(options),
         Command::Resume(options) => go_on(&options),
-        Command::Plan(options) => Loaded::of(&options).and_then(|loaded| {
-            let loaded = loaded.without_refusals()?;
-            let Loaded { scene, layout, diagnosis } = &loaded;
-            short_of_disk(scene, layout, &options.common, name(&options.scene))
-                .iter()
-                .for_each(|short| warn(short));
-            say(&plan(scene, layout, diagnosis, &options.common)?);
+        Command::Plan(options) => examined(&options, None).and_then(|good| {
+            good.short_of_disk(&options.common, name(&options.scene)).iter().for_each(|short| warn(short));
+            say(&good.plan(&options.common)?);
             Ok(())
         }),
-        Command::Check { scene } => {
-            Loaded::read(&scene, None).and_then(Loaded::without_refusals).map(|loaded| {
-                let layout = &loaded.layout;
-                let counts = [layout.fluid_len(), layout.walls_len(), layout.solids_len()];
-                let [fluid, walls, solids] = counts;
-                say(&format!(
-                    "{}: good, {fluid} particles of fluid, {walls} of walls, {solids} of bodies\n",
-                    scene.display()
-                ));
-            })
-        }
+        Command::Check { scene } => read(&scene, None, None).map(|good| {
+            let [fluid, walls, solids] = good.counts();
+            say(&format!(
+                "{}: good, {fluid} particles of fluid, {walls} of walls, {solids} of bodies\n",
+                scene.display()
+            ));
+        }),
         Command::Plot(Plot { directory, columns, over, picture }) => {
             plot(&directory, &Drawing { columns, over, picture }).map(|drawn| say(&format!("{drawn}\n")))
         }
@@ -62,6 +43,13 @@ fn main() -> ExitCode {
     exit_code(done)
 }
 
+fn begin(Begin { run: options, keep, on_failure }: Begin) -> Result<(), Failure> {
+    let good = examined(&options, on_failure)?;
+    let name = name(&options.scene);
+    good.short_of_disk(&options.common, name).iter().for_each(|short| warn(short));
+    good.run(name, &options.common, keep.interval()?)
+}
+
 fn go_on(options: &Resume) -> Result<(), Failure> {
     let common = Common {
         threads: options.threads,
@@ -75,39 +63,25 @@ fn go_on(options: &Resume) -> Result<(), Failure> {
     resume(&options.directory, options.end_time, &common, options.keep.interval()?)
 }
 
-/// A scene that was read, filled with particles and examined.
-struct Loaded {
-    scene: SceneFile,
-    layout: Layout,
-    diagnosis: Diagnosis,
+fn examined(options: &Run, on_failure: Option<Way>) -> Result<Examined, Failure> {
+    options.common.check()?;
+    read(&options.scene, options.end_time, on_failure)
 }
 
-impl Loaded {
-    fn of(options: &Run) -> Result<Self, Failure> {
-        options.common.check()?;
-        Self::read(&options.scene, options.end_time)
+/// Reads a scene and examines it, warns, and refuses what cannot be run.
+fn read(path: &Path, end_time: Option<f64>, on_failure: Option<Way>) -> Result<Examined, Failure> {
+    let (mut scene, source) = scene_file::read(path)?;
+    if let Some(end) = end_time {
+        let good = end.is_finite() && end > 0.0;
+        Refused::unless(good, "--end-time", end, "give the simulated time in seconds")?;
+        scene.end_time = end;
     }
-
-    fn read(path: &Path, end_time: Option<f64>) -> Result<Self, Failure> {
-        let (mut scene, source) = scene_file::read(path)?;
-        if let Some(end) = end_time {
-            let good = end.is_finite() && end > 0.0;
-            Refused::unless(good, "--end-time", end, "give the simulated time in seconds")?;
-            scene.end_time = end;
-        }
-        let layout = Layout::new(&scene, &source)?;
-        let diagnosis = diagnose(&scene, &source, &layout, &Parallel::all_cores()?)?;
-        Ok(Self { scene, layout, diagnosis })
+    if let Some(way) = on_failure {
+        scene.watch.on_failure = way.with_numbers_of(scene.watch.on_failure);
     }
-
-    /// Warns, and refuses what cannot be run.
-    fn without_refusals(self) -> Result<Self, Failure> {
-        for warning in &self.diagnosis.warnings {
-            warn(&warning.to_string());
-        }
-        let refusals = &self.diagnosis.refusals;
-        if refusals.is_empty() { Ok(self) } else { Err(SceneError::Refused(refusals.clone()).into()) }
-    }
+    let examined = Examined::new(scene, &source)?;
+    examined.diagnosis().warnings.iter().for_each(|warning| warn(&warning.to_string()));
+    Ok(examined.without_refusals()?)
 }
 
 /// The name of a scene is that of its file.

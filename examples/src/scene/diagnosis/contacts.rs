@@ -1,19 +1,22 @@
 //! Fluid that is inside something else, or does not reach it.
 
 use super::super::clearance::nearest;
-use super::part::{GAP, OVERLAP, Part};
+use super::part::{GAP, Part, overlap, words};
 use super::{Diagnosis, Subject};
 use crate::Failure;
 
 /// How far a gap is looked for, over half the sum of the spacings.
 const FAR: f64 = 4.0;
 
-pub(super) fn contacts(subject: &Subject<'_>, found: &mut Diagnosis) -> Result<(), Failure> {
+pub(super) fn contacts<const D: usize>(
+    subject: &Subject<'_, D>,
+    found: &mut Diagnosis,
+) -> Result<(), Failure> {
     let Subject { scene, source, layout, parallel } = *subject;
     let Some(fluid) = &scene.fluid else { return Ok(()) };
     let l0 = fluid.spacing;
     let bodies = layout.fluid.iter().enumerate();
-    let bodies: Vec<Part> = bodies
+    let bodies: Vec<Part<D>> = bodies
         .map(|(k, places)| Part {
             key: format!("fluid.bodies[{k}].region"),
             places: places.clone(),
@@ -39,25 +42,25 @@ pub(super) fn contacts(subject: &Subject<'_>, found: &mut Diagnosis) -> Result<(
         spacing: l0,
         name: "what lies behind an opening",
     });
-    let rigid: Vec<Part> = Part::walls(scene, layout, l0).chain(solids).chain(fixed).chain(behind).collect();
+    let rigid: Vec<Part<D>> =
+        Part::walls(scene, layout, l0).chain(solids).chain(fixed).chain(behind).collect();
     for (k, body) in bodies.iter().enumerate() {
         for other in bodies[k + 1..].iter().chain(&rigid) {
             let unit = 0.5 * (body.spacing + other.spacing);
             let Some(near) = nearest(&body.places, &other.places, FAR * unit, parallel)? else { continue };
-            let [x, y] = near.place;
+            let place = words(&near.place);
             let (apart, name) = (near.distance, other.name);
-            if apart < OVERLAP * unit {
+            if apart < overlap::<D>() * unit {
                 let what = format!(
-                    "overlaps {name} ({}): two particles near ({x:.4}, {y:.4}) are {apart:.2e} m apart",
+                    "overlaps {name} ({}): two particles near {place} are {apart:.2e} m apart",
                     other.key
                 );
                 let remedy = "move one of them, take one from the other (difference), give the line of a wall the other \
                               direction (fluid is on its left), or a spacing of which the lengths are multiples";
                 found.refusals.push(source.problem(&body.key, what, remedy));
-            } else if apart > GAP * unit && !rigid.iter().any(|third| third.is_near(near.place, l0)) {
+            } else if apart > GAP * unit && !rigid.iter().any(|third| third.is_near(&near.place, l0)) {
                 let gap = apart - unit;
-                let what =
-                    format!("leaves a gap of {gap:.2e} m to {name} ({}) near ({x:.4}, {y:.4})", other.key);
+                let what = format!("leaves a gap of {gap:.2e} m to {name} ({}) near {place}", other.key);
                 let remedy = "fluid will fall through it at once: close it, or make it wider if it is meant";
                 found.warnings.push(source.problem(&body.key, what, remedy));
             }

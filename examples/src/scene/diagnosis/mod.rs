@@ -38,10 +38,10 @@ pub struct Diagnosis {
 ///
 /// # Errors
 /// If places are not finite, which a scene that was read never has.
-pub fn diagnose(
+pub(in crate::scene) fn diagnose<const D: usize>(
     scene: &SceneFile,
     source: &Source,
-    layout: &Layout,
+    layout: &Layout<D>,
     parallel: &Parallel,
 ) -> Result<Diagnosis, Failure> {
     let mut found = Diagnosis::default();
@@ -57,10 +57,10 @@ pub fn diagnose(
 
 /// A scene, where its keys stand in the text, and the places that were made of it.
 #[derive(Clone, Copy)]
-struct Subject<'a> {
+struct Subject<'a, const D: usize> {
     scene: &'a SceneFile,
     source: &'a Source,
-    layout: &'a Layout,
+    layout: &'a Layout<D>,
     parallel: &'a Parallel,
 }
 
@@ -104,12 +104,12 @@ fn thickness(scene: &SceneFile, source: &Source, found: &mut Diagnosis) {
     }
 }
 
-fn speeds(scene: &SceneFile, source: &Source, layout: &Layout, found: &mut Diagnosis) {
+fn speeds<const D: usize>(scene: &SceneFile, source: &Source, layout: &Layout<D>, found: &mut Diagnosis) {
     let Some(fluid) = &scene.fluid else { return };
-    let gravity = super::vector::<f64>(&scene.gravity);
+    let gravity = super::vector::<f64, D>(&scene.gravity);
     let g = gravity.norm();
     // How far fluid can fall: from its highest place to the lowest of fluid and wall surfaces.
-    let height = |place: &Place| if g > 0.0 { -gravity.dot(&super::vector(place)) / g } else { 0.0 };
+    let height = |place: &Place<D>| if g > 0.0 { -gravity.dot(&super::vector(place)) / g } else { 0.0 };
     let walls = layout.walls.iter().flatten().flat_map(|points| &points.places);
     let depth = fluid.numerics.radius * fluid.spacing;
     let lowest_wall = walls.map(height).fold(f64::INFINITY, f64::min) + depth;
@@ -117,7 +117,7 @@ fn speeds(scene: &SceneFile, source: &Source, layout: &Layout, found: &mut Diagn
     let lowest = heights().fold(f64::INFINITY, f64::min).min(lowest_wall);
     let fall = heights().fold(f64::NEG_INFINITY, f64::max) - lowest;
     let falling = (2.0 * g * fall.max(0.0)).sqrt();
-    let thrown = fluid.bodies.iter().map(|body| super::vector::<f64>(&body.velocity).norm());
+    let thrown = fluid.bodies.iter().map(|body| super::vector::<f64, D>(&body.velocity).norm());
     let entering = fluid.inlets.iter().map(|inlet| inlet.mean_speed * inlet.profile.largest());
     let speed = thrown.chain(entering).fold(0.0, f64::max).hypot(falling);
     let (sound, mach) = (fluid.sound(), speed / fluid.sound());
@@ -141,22 +141,27 @@ fn speeds(scene: &SceneFile, source: &Source, layout: &Layout, found: &mut Diagn
 }
 
 /// Fluid and bodies that nothing keeps from falling out of the scene.
-fn support(scene: &SceneFile, source: &Source, layout: &Layout, found: &mut Diagnosis) {
-    let &[across, down] = scene.gravity.as_slice() else { return };
-    if across != 0.0 || down >= 0.0 {
+fn support<const D: usize>(scene: &SceneFile, source: &Source, layout: &Layout<D>, found: &mut Diagnosis) {
+    if !matches!(scene.gravity.as_slice(), [0.0, down] | [0.0, down, 0.0] if *down < 0.0) {
         return;
     }
     if let Some(fluid) = &scene.fluid {
-        let bin = |x: f64| (x / (2.0 * fluid.spacing)).floor() as i64;
+        // Columns of space along y.
+        let bin = |place: &Place<D>| {
+            let mut bin = place.map(|x| (x / (2.0 * fluid.spacing)).floor() as i64);
+            bin[1] = 0;
+            bin
+        };
         let mut lowest = std::collections::BTreeMap::new();
         let walls = layout.walls.iter().flatten().flat_map(|points| &points.places);
         let solids = layout.solids.iter().flatten().map(|(place, _)| place);
         let fixed = layout.fixed.iter().flat_map(|points| &points.places);
-        for [x, y] in walls.chain(solids).chain(fixed) {
-            lowest.entry(bin(*x)).and_modify(|low: &mut f64| *low = low.min(*y)).or_insert(*y);
+        for place in walls.chain(solids).chain(fixed) {
+            let y = place[1];
+            lowest.entry(bin(place)).and_modify(|low: &mut f64| *low = low.min(y)).or_insert(y);
         }
         for (k, body) in layout.fluid.iter().enumerate() {
-            let falls = |place: &&Place| lowest.get(&bin(place[0])).is_none_or(|low| *low > place[1]);
+            let falls = |place: &&Place<D>| lowest.get(&bin(place)).is_none_or(|low| *low > place[1]);
             let count = body.iter().filter(falls).count();
             if count > 0 {
                 let what = format!("has {count} of {} particles with no wall below", body.len());

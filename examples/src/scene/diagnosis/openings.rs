@@ -2,17 +2,20 @@
 
 use super::super::clearance::nearest;
 use super::super::lattice::Place;
-use super::part::{GAP, OVERLAP, Part};
+use super::part::{GAP, Part, overlap, words};
 use super::{Diagnosis, Subject};
 use crate::Failure;
 
 /// An opening has fluid on its inner side, and walls beside what lies behind it.
-pub(super) fn openings(subject: &Subject<'_>, found: &mut Diagnosis) -> Result<(), Failure> {
+pub(super) fn openings<const D: usize>(
+    subject: &Subject<'_, D>,
+    found: &mut Diagnosis,
+) -> Result<(), Failure> {
     let Subject { scene, source, layout, parallel } = *subject;
     let Some(fluid) = &scene.fluid else { return Ok(()) };
     let l0 = fluid.spacing;
-    let water: Vec<Place> = layout.fluid.iter().flatten().copied().collect();
-    let walls: Vec<Part> = Part::walls(scene, layout, l0).collect();
+    let water: Vec<Place<D>> = layout.fluid.iter().flatten().copied().collect();
+    let walls: Vec<Part<D>> = Part::walls(scene, layout, l0).collect();
     for behind in &layout.behind {
         if nearest(&water, &behind.places, GAP * l0, parallel)?.is_none() {
             let remedy = "let a body of fluid begin at its plane, on the side where the fluid comes from (outlet) or goes to (inlet)";
@@ -20,9 +23,9 @@ pub(super) fn openings(subject: &Subject<'_>, found: &mut Diagnosis) -> Result<(
         }
         for wall in &walls {
             let unit = 0.5 * (wall.spacing + l0);
-            if let Some(near) = nearest(&behind.places, &wall.places, OVERLAP * unit, parallel)? {
-                let [x, y] = near.place;
-                let what = format!("has a wall behind it near ({x:.4}, {y:.4})");
+            if let Some(near) = nearest(&behind.places, &wall.places, overlap::<D>() * unit, parallel)? {
+                let place = words(&near.place);
+                let what = format!("has a wall behind it near {place}");
                 found.refusals.push(source.problem(
                     &behind.key,
                     what,
@@ -30,9 +33,9 @@ pub(super) fn openings(subject: &Subject<'_>, found: &mut Diagnosis) -> Result<(
                 ));
             }
         }
-        for [x, y] in behind.ends {
-            if !walls.iter().any(|wall| wall.is_near([x, y], l0)) {
-                let what = format!("has no wall beside it near ({x:.4}, {y:.4})");
+        for end in &behind.ends {
+            if !walls.iter().any(|wall| wall.is_near(end, l0)) {
+                let what = format!("has no wall beside it near {}", words(end));
                 let remedy =
                     format!("let the walls on both sides go on {:.3e} m behind its plane", behind.depth);
                 found.warnings.push(source.problem(&behind.key, what, remedy));

@@ -5,22 +5,26 @@ use super::super::lattice::Place;
 use mps_io::scene_file::SceneFile;
 
 /// Points of two parts in contact are half the sum of their spacings apart. Less than this share of it, and one is
-/// inside the other: a square lattice leaves no place that is farther from its points than 0.71 of its spacing.
-pub(super) const OVERLAP: f64 = 0.72;
+/// inside the other: a square lattice leaves no place that is farther from its points than 0.71 of its spacing, a cubic one
+/// none farther than 0.87.
+pub(super) const fn overlap<const D: usize>() -> f64 {
+    if D == 2 { 0.72 } else { 0.88 }
+}
+
 /// More than this multiple, and there is a gap; rounding to whole cells makes up to 1.5.
 pub(super) const GAP: f64 = 1.55;
 
 /// A part of the scene with its key, points and spacing.
-pub(super) struct Part<'a> {
+pub(super) struct Part<'a, const D: usize> {
     pub(super) key: String,
-    pub(super) places: Vec<Place>,
+    pub(super) places: Vec<Place<D>>,
     pub(super) spacing: f64,
     pub(super) name: &'a str,
 }
 
-impl<'a> Part<'a> {
+impl<'a, const D: usize> Part<'a, D> {
     /// The walls of a scene whose fluid has the spacing `l0` \[m\].
-    pub(super) fn walls(scene: &'a SceneFile, layout: &Layout, l0: f64) -> impl Iterator<Item = Self> {
+    pub(super) fn walls(scene: &'a SceneFile, layout: &Layout<D>, l0: f64) -> impl Iterator<Item = Self> {
         scene.walls.iter().zip(&layout.walls).enumerate().map(move |(k, (wall, points))| Part {
             key: format!("walls[{k}].shape"),
             places: points.iter().flat_map(|part| part.places.iter().copied()).collect(),
@@ -30,10 +34,20 @@ impl<'a> Part<'a> {
     }
 }
 
-impl Part<'_> {
+impl<const D: usize> Part<'_, D> {
     /// Whether it touches fluid at this place.
-    pub(super) fn is_near(&self, [x, y]: Place, l0: f64) -> bool {
+    pub(super) fn is_near(&self, place: &Place<D>, l0: f64) -> bool {
         let reach = GAP * 0.5 * (self.spacing + l0);
-        self.places.iter().any(|[a, b]| (a - x).hypot(b - y) < reach)
+        self.places.iter().any(|point| apart(point, place) < reach)
     }
+}
+
+/// Distance of two places \[m\].
+fn apart<const D: usize>(a: &Place<D>, b: &Place<D>) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
+}
+
+/// A place in words.
+pub(super) fn words<const D: usize>(place: &Place<D>) -> String {
+    format!("({})", place.map(|x| format!("{x:.4}")).join(", "))
 }

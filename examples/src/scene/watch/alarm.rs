@@ -1,5 +1,6 @@
 //! What is wrong with a state although the step had no error.
 
+use super::super::units;
 use super::measure::Measures;
 use super::particle::Particle;
 use super::ring::{Ring, Step};
@@ -23,10 +24,10 @@ pub(super) enum Alarm {
     Collapsed { particle: Particle, step: u64, time: f64, dt: f64, share: f64 },
     /// Energy without a cause.
     #[error(
-        "the energy rose by {rise:e} J/m in step {step}, to t = {time:e} s, where `watch.energy_rise` of the scene allows {allowed:e}; the fastest is \
+        "the energy rose by {rise:e} {unit} in step {step}, to t = {time:e} s, where `watch.energy_rise` of the scene allows {allowed:e}; the fastest is \
          {particle}: reduce cfl, or allow what walls and inlets bring"
     )]
-    Energy { particle: Particle, step: u64, time: f64, rise: f64, allowed: f64 },
+    Energy { particle: Particle, step: u64, time: f64, rise: f64, allowed: f64, unit: &'static str },
     /// A particle has left the region.
     #[error(
         "{particle} has left the region of `watch.region` in step {step}, to t = {time:e} s: look for a gap or a wall that is too thin, or make the \
@@ -46,8 +47,13 @@ impl Alarm {
         }
     }
 
-    /// What is wrong after `now`, which follows the steps of the ring.
-    pub(super) fn after(now: &Step, measures: &Measures, ring: &Ring, watch: &Watch) -> Option<Self> {
+    /// What is wrong in `D` dimensions after `now`, which follows the steps of the ring.
+    pub(super) fn after<const D: usize>(
+        now: &Step,
+        measures: &Measures,
+        ring: &Ring,
+        watch: &Watch,
+    ) -> Option<Self> {
         let (step, time, dt, (fastest, _)) = (now.count, now.time, now.dt, now.fastest);
         if let Some(particle) = measures.broken {
             return Some(Self::NotFinite { particle, step, time });
@@ -59,7 +65,8 @@ impl Alarm {
         if let (Some(allowed), Some(before)) = (watch.energy_rise, ring.steps().last()) {
             let rise = now.energy - before.energy;
             if rise > allowed {
-                return Some(Self::Energy { particle: fastest, step, time, rise, allowed });
+                let unit = units::energy::<D>();
+                return Some(Self::Energy { particle: fastest, step, time, rise, allowed, unit });
             }
         }
         measures.outside.map(|particle| Self::Escaped { particle, step, time })
@@ -86,7 +93,7 @@ mod tests {
     fn after(dt: f64, energy: f64, measures: &Measures, watch: &Watch) -> Option<Alarm> {
         let mut ring = Ring::new(3);
         (1..4).for_each(|k| ring.push(step(f64::from(k), 1.0, 5.0)));
-        Alarm::after(&step(4.0, dt, energy), measures, &ring, watch)
+        Alarm::after::<2>(&step(4.0, dt, energy), measures, &ring, watch)
     }
 
     #[test]
@@ -98,7 +105,7 @@ mod tests {
         assert_eq!(after(0.009, 5.0, &CALM, &watch), Some(collapsed));
         assert_eq!(after(0.009, 5.0, &CALM, &Watch { collapse: 0.0, ..watch.clone() }), None);
         let rise = after(1.0, 5.75, &CALM, &watch);
-        assert_eq!(rise, Some(Alarm::Energy { particle, step, time, rise: 0.75, allowed: 0.5 }));
+        assert_eq!(rise, Some(Alarm::Energy { particle, step, time, rise: 0.75, allowed: 0.5, unit: "J/m" }));
         assert_eq!(after(1.0, 5.75, &CALM, &Watch::default()), None);
         let particle = Particle::Solid { body: 1, id: 3 };
         let outside = Measures { outside: Some(particle), ..CALM };

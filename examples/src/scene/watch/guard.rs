@@ -52,9 +52,9 @@ impl Guard {
     ///
     /// # Errors
     /// If something is wrong with the state.
-    pub(in crate::scene) fn look<T: Real, K: Kernel<T>>(
+    pub(in crate::scene) fn look<T: Real, const D: usize, K: Kernel<T>>(
         &mut self,
-        world: &World<T, K>,
+        world: &World<T, D, K>,
         parallel: &Parallel,
         dt: f64,
     ) -> Result<(), Failure> {
@@ -69,7 +69,8 @@ impl Guard {
         let step = Step::new([world.count() as f64, world.time(), dt, energy], world.limit(), &measures);
         // Steps that are shorter on purpose have not collapsed.
         let collapse = self.watch.collapse * 0.5_f64.powi(self.pace.halvings as i32);
-        let alarm = Alarm::after(&step, &measures, &self.ring, &Watch { collapse, ..self.watch.clone() });
+        let alarm =
+            Alarm::after::<D>(&step, &measures, &self.ring, &Watch { collapse, ..self.watch.clone() });
         self.ring.push(step);
         alarm.map_or(Ok(()), |alarm| Err(alarm.into()))
     }
@@ -101,9 +102,9 @@ impl Guard {
     }
 
     /// Begins again at a state that has been brought back.
-    pub(in crate::scene) fn begin_again<T: Real, K: Kernel<T>>(
+    pub(in crate::scene) fn begin_again<T: Real, const D: usize, K: Kernel<T>>(
         &mut self,
-        world: &mut World<T, K>,
+        world: &mut World<T, D, K>,
         good: Good,
         Setbacks { pace, passed }: Setbacks,
         failure: &Failure,
@@ -123,17 +124,17 @@ impl Guard {
     }
 
     /// Lets the world go at the pace of the guard.
-    pub(in crate::scene) fn apply_pace<T: Real, K: Kernel<T>>(
+    pub(in crate::scene) fn apply_pace<T: Real, const D: usize, K: Kernel<T>>(
         &self,
-        world: &mut World<T, K>,
+        world: &mut World<T, D, K>,
     ) -> Result<(), Failure> {
         world.slow_down(self.pace.halvings, self.pace.substeps as usize)
     }
 
     /// Ends shorter steps when it is time.
-    pub(in crate::scene) fn recover<T: Real, K: Kernel<T>>(
+    pub(in crate::scene) fn recover<T: Real, const D: usize, K: Kernel<T>>(
         &mut self,
-        world: &mut World<T, K>,
+        world: &mut World<T, D, K>,
     ) -> Result<(), Failure> {
         if !self.pace.is_slow() || world.count() < self.pace.until {
             return Ok(());

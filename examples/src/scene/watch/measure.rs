@@ -9,7 +9,7 @@ use mps_neighbors::Parallel;
 /// What the particles of a state are like.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Measures {
-    /// Kinetic energy of fluid and bodies \[J/m\].
+    /// Kinetic energy of fluid and bodies \[J, in two dimensions J/m\].
     pub(super) kinetic: f64,
     /// The fastest particle and its speed \[m/s\].
     pub(super) fastest: (Particle, f64),
@@ -53,7 +53,7 @@ impl<T: Real> Part<T> {
 }
 
 /// Whether a place lies in the region, if there is one.
-fn is_inside<T: Real>(region: Option<&Corners>, r: &Vector<T, 2>) -> bool {
+fn is_inside<T: Real, const D: usize>(region: Option<&Corners>, r: &Vector<T, D>) -> bool {
     region.is_none_or(|Corners { lower, upper }| {
         r.iter().zip(lower.iter().zip(upper)).all(|(x, (low, high))| {
             let x = x.to_double();
@@ -63,8 +63,8 @@ fn is_inside<T: Real>(region: Option<&Corners>, r: &Vector<T, 2>) -> bool {
 }
 
 impl Measures {
-    pub(super) fn of<T: Real, K: Kernel<T>>(
-        world: &World<T, K>,
+    pub(super) fn of<T: Real, const D: usize, K: Kernel<T>>(
+        world: &World<T, D, K>,
         region: Option<&Corners>,
         parallel: &Parallel,
     ) -> Self {
@@ -89,8 +89,8 @@ impl Measures {
         found
     }
 
-    fn of_fluid<T: Real, K: Kernel<T>>(
-        world: &World<T, K>,
+    fn of_fluid<T: Real, const D: usize, K: Kernel<T>>(
+        world: &World<T, D, K>,
         region: Option<&Corners>,
         parallel: &Parallel,
     ) -> Self {

@@ -1,6 +1,7 @@
 //! The place of a failure.
 
 use super::super::World;
+use super::super::slice::{Slice, pick};
 use super::particle::Particle;
 use crate::Failure;
 use mps_io::{ColorMap, FieldPicture, View};
@@ -16,10 +17,10 @@ const BODY: [u8; 3] = [90, 70, 60];
 const MARK: [u8; 3] = [230, 30, 30];
 
 /// Where a particle is \[m\] and the spacing there; `None` if it is not there, or nowhere.
-pub(super) fn place<T: Real, K: Kernel<T>>(
-    world: &World<T, K>,
+pub(super) fn place<T: Real, const D: usize, K: Kernel<T>>(
+    world: &World<T, D, K>,
     particle: Particle,
-) -> Option<(Vector<T, 2>, f64)> {
+) -> Option<(Vector<T, D>, f64)> {
     let (r, spacing) = match particle {
         Particle::Fluid(id) => {
             let fluid = world.fluid()?;
@@ -36,9 +37,9 @@ pub(super) fn place<T: Real, K: Kernel<T>>(
 }
 
 /// Draws the surroundings of a particle: the fluid by its speed, walls, bodies, and the particle red.
-pub(super) fn draw<T: Real, K: Kernel<T>>(
-    world: &World<T, K>,
-    (center, spacing): (Vector<T, 2>, f64),
+pub(super) fn draw<T: Real, const D: usize, K: Kernel<T>>(
+    world: &World<T, D, K>,
+    (center, spacing): (Vector<T, D>, f64),
     title: &str,
     path: &Path,
 ) -> Result<(), Failure> {
@@ -46,27 +47,29 @@ pub(super) fn draw<T: Real, K: Kernel<T>>(
     let reach = AROUND * spacing;
     let view = View::new(middle.map(|x| x - reach), middle.map(|x| x + reach));
     let mut drawn = FieldPicture::new(WIDTH, view).title(title).time(world.time());
+    let slice = Slice { z: center.get(2).map_or(0.0, |z| z.to_double()) };
+    let shown = |positions: &[Vector<T, D>], spacing: T| slice.of(positions, spacing.to_double());
     if let Some(fluid) = world.fluid() {
         let (boundary, particles) = (fluid.boundary(), fluid.particles());
         let radius = 0.5 * fluid.config().spacing.to_double();
         let speed: Vec<T> = particles.velocity.iter().map(|u| u.norm()).collect();
-        let near = |r: &Vector<T, 2>| (r - center).amax().to_double() < reach;
+        let near = |r: &Vector<T, D>| (r - center).amax().to_double() < reach;
         let seen = particles.position.iter().zip(&speed).filter(|(r, _)| near(r));
         let fastest = seen.map(|(_, speed)| speed.to_double()).filter(|v| v.is_finite()).fold(0.0, f64::max);
-        drawn = drawn.plain(&boundary.position[..boundary.reactive().start], radius, WALL).layer(
-            &particles.position,
+        let (walls, spacing) = (&boundary.position[..boundary.reactive().start], fluid.config().spacing);
+        let water = shown(&particles.position, spacing);
+        drawn = drawn.plain(&pick(walls, &shown(walls, spacing)), radius, WALL).layer(
+            &pick(&particles.position, &water),
             radius,
-            &speed,
+            &pick(&speed, &water),
             (0.0, fastest),
             ColorMap::Viridis,
             "fluid: speed [m/s]",
         );
     }
-    for body in (0..).map_while(|k| world.solid(k)) {
-        drawn = drawn.plain(body.positions(), 0.5 * body.spacing().max().to_double(), BODY);
-    }
-    for body in world.fixed() {
-        drawn = drawn.plain(body.positions(), 0.5 * body.spacing().to_double(), BODY);
+    let solids = (0..).map_while(|k| world.solid(k)).map(|body| (body.positions(), body.spacing().max()));
+    for (positions, spacing) in solids.chain(world.fixed().map(|body| (body.positions(), body.spacing()))) {
+        drawn = drawn.plain(&pick(positions, &shown(positions, spacing)), 0.5 * spacing.to_double(), BODY);
     }
     Ok(drawn.plain(&[center], 0.3 * spacing, MARK).render()?.write_png(path)?)
 }

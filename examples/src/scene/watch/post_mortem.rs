@@ -52,9 +52,9 @@ impl<'a> PostMortem<'a> {
     }
 
     /// Of a failure that has left the world as it is now.
-    pub(in crate::scene) fn new<T: Real, K: Kernel<T>>(
+    pub(in crate::scene) fn new<T: Real, const D: usize, K: Kernel<T>>(
         failure: &'a Failure,
-        world: &World<T, K>,
+        world: &World<T, D, K>,
         guard: &Guard,
     ) -> Self {
         let fastest = guard.ring().steps().last().map_or(Particle::Fluid(0), |step| step.fastest.0);
@@ -70,9 +70,9 @@ impl<'a> PostMortem<'a> {
     ///
     /// # Errors
     /// If it does not come again, or something cannot be written.
-    pub(in crate::scene) fn write<T: Real, K: Kernel<T>>(
+    pub(in crate::scene) fn write<T: Real, const D: usize, K: Kernel<T>>(
         &self,
-        world: &mut World<T, K>,
+        world: &mut World<T, D, K>,
         guard: &Guard,
         parallel: &Parallel,
         title: &str,
@@ -99,7 +99,7 @@ impl<'a> PostMortem<'a> {
         let Self { failure, particle, failed } = self;
         let about = report::particle(world, *particle, dt);
         let limits = step.map_or("There is no fluid.\n".to_owned(), |step| report::limits(&step));
-        let steps = report::steps(guard.ring());
+        let steps = report::steps::<D>(guard.ring());
         let text = format!(
             "# Post-mortem: {title}\n\n{failure}\n\n\
              Step {} failed, from t = {time:e} s. The checkpoint beside this file is of step {}, t = {:e} s; from there on everything comes again, to the \
@@ -115,7 +115,10 @@ impl<'a> PostMortem<'a> {
 }
 
 /// Steps done before the one that failed and has left the world as it is now.
-pub(in crate::scene) fn failed<T: Real, K: Kernel<T>>(failure: &Failure, world: &World<T, K>) -> u64 {
+pub(in crate::scene) fn failed<T: Real, const D: usize, K: Kernel<T>>(
+    failure: &Failure,
+    world: &World<T, D, K>,
+) -> u64 {
     // An alarm is raised when the step is done.
     world.count() - u64::from(failure.is::<Alarm>())
 }

@@ -1,18 +1,23 @@
 //! The words of a post-mortem.
 
 use super::super::World;
+use super::super::units::{self, AXES};
 use super::particle::Particle;
 use super::ring::{Ring, Step};
 use super::table::{cells, number, of, table};
 use mps_fluid::explain::{Explanation, Neighbor, Other, StepExplanation};
-use mps_kernel::{Kernel, Real};
+use mps_kernel::{Kernel, Real, Vector};
 use mps_solid::explain as solid;
 
 /// Neighbours that are told.
 const MOST_NEIGHBORS: usize = 30;
 
 /// What acts on the particle, in the fluid or in a body.
-pub(super) fn particle<T: Real, K: Kernel<T>>(world: &World<T, K>, particle: Particle, dt: f64) -> String {
+pub(super) fn particle<T: Real, const D: usize, K: Kernel<T>>(
+    world: &World<T, D, K>,
+    particle: Particle,
+    dt: f64,
+) -> String {
     let found = match particle {
         Particle::Fluid(id) => world.fluid().and_then(|fluid| {
             let i = fluid.particles().id.iter().position(|other| *other == id)?;
@@ -26,20 +31,38 @@ pub(super) fn particle<T: Real, K: Kernel<T>>(world: &World<T, K>, particle: Par
     found.unwrap_or_else(|| format!("{particle} could not be explained: it is no longer there.\n"))
 }
 
-fn fluid_particle<T: Real>(e: &Explanation<T, 2>) -> String {
-    let state = [
-        ("position x [m]", e.position[0]),
-        ("position y [m]", e.position[1]),
-        ("velocity x [m/s]", e.velocity[0]),
-        ("velocity y [m/s]", e.velocity[1]),
-        ("density ratio n/n0 [-]", e.density),
-        ("pressure [Pa]", e.pressure),
-    ];
-    let state = table(&["state", "value"], state.map(|(name, value)| vec![name.to_owned(), of(value)]));
-    let row = |name: &str, cells: [String; 3]| [vec![name.to_owned()], cells.into()].concat();
+/// A row of a table.
+fn row(name: &str, cells: impl IntoIterator<Item = String>) -> Vec<String> {
+    [name.to_owned()].into_iter().chain(cells).collect()
+}
+
+/// A row for each component of a vector.
+fn components<T: Real, const D: usize>(
+    name: &str,
+    unit: &str,
+    v: &Vector<T, D>,
+) -> impl Iterator<Item = Vec<String>> {
+    v.iter().zip(AXES).map(move |(x, axis)| row(&format!("{name} {axis} [{unit}]"), [of(*x)]))
+}
+
+/// Headings of a table of vectors.
+fn headed<const D: usize>(first: &str) -> Vec<&str> {
+    [first].into_iter().chain(AXES.into_iter().take(D)).chain(["size"]).collect()
+}
+
+/// A vector in one cell.
+fn place<T: Real, const D: usize>(v: &Vector<T, D>) -> String {
+    cells(v)[..D].join(", ")
+}
+
+fn fluid_particle<T: Real, const D: usize>(e: &Explanation<T, D>) -> String {
+    let state = components("position", "m", &e.position)
+        .chain(components("velocity", "m/s", &e.velocity))
+        .chain([row("density ratio n/n0 [-]", [of(e.density)]), row("pressure [Pa]", [of(e.pressure)])]);
+    let state = table(&["state", "value"], state);
     let terms = e.acceleration.terms().map(|(name, term)| row(name, cells(&term)));
     let total = [row("**sum**", cells(&e.acceleration.total()))];
-    let forces = table(&["acceleration by [m/s2]", "x", "y", "size"], terms.into_iter().chain(total));
+    let forces = table(&headed::<D>("acceleration by [m/s2]"), terms.into_iter().chain(total));
     let rates = e.density_rate.terms().map(|(name, term)| vec![name.to_owned(), of(term)]);
     let total = [vec!["**sum**".to_owned(), of(e.density_rate.total())]];
     let rates = table(&["rate of n/n0 by [1/s]", "value"], rates.into_iter().chain(total));
@@ -47,25 +70,22 @@ fn fluid_particle<T: Real>(e: &Explanation<T, 2>) -> String {
         let rows = [
             row("shift [m]", cells(&changes.shift)),
             row("collisions [m/s]", cells(&changes.collision)),
-            row("relaxation of n/n0 [-]", [String::new(), String::new(), of(changes.relaxation)]),
+            row("relaxation of n/n0 [-]", vec![String::new(); D].into_iter().chain([of(changes.relaxation)])),
         ];
-        format!("Before that, in the same step:\n\n{}\n", table(&["change by", "x", "y", "size"], rows))
+        format!("Before that, in the same step:\n\n{}\n", table(&headed::<D>("change by"), rows))
     });
     let neighbors = neighbors(&e.neighbors);
     format!("{state}\n{forces}\n{rates}\n{changes}{neighbors}")
 }
 
-fn neighbors<T: Real>(neighbors: &[Neighbor<T, 2>]) -> String {
+fn neighbors<T: Real, const D: usize>(neighbors: &[Neighbor<T, D>]) -> String {
     let rows = neighbors.iter().take(MOST_NEIGHBORS).map(|n| {
         let who = match n.other {
             Other::Fluid(id) => format!("fluid {id}"),
             Other::Wall(a) => format!("wall {a}"),
             Other::Structure(a) => format!("structure {a}"),
         };
-        let [offset, velocity, push, shear] = [n.offset, n.velocity, n.push, n.shear].map(|v| {
-            let [x, y, _] = cells(&v);
-            format!("{x}, {y}")
-        });
+        let [offset, velocity, push, shear] = [n.offset, n.velocity, n.push, n.shear].map(|v| place(&v));
         vec![who, of(n.distance), offset, velocity, of(n.density), of(n.pressure), push, shear]
     });
     let headings = [
@@ -82,32 +102,34 @@ fn neighbors<T: Real>(neighbors: &[Neighbor<T, 2>]) -> String {
     format!("The {shown} nearest of {} neighbours:\n\n{}", neighbors.len(), table(&headings, rows))
 }
 
-fn solid_particle<T: Real>(e: &solid::Explanation<T, 2>) -> String {
-    let state = [
-        ("position x [m]", e.position[0]),
-        ("position y [m]", e.position[1]),
-        ("reference x [m]", e.reference[0]),
-        ("reference y [m]", e.reference[1]),
-        ("velocity x [m/s]", e.velocity[0]),
-        ("velocity y [m/s]", e.velocity[1]),
-        ("volume ratio det F [-]", e.volume_ratio),
-        ("largest stretch [-]", e.stretches[0]),
-        ("smallest stretch [-]", e.stretches[1]),
-        ("stress Pxx [Pa]", e.stress[(0, 0)]),
-        ("stress Pxy [Pa]", e.stress[(0, 1)]),
-        ("stress Pyx [Pa]", e.stress[(1, 0)]),
-        ("stress Pyy [Pa]", e.stress[(1, 1)]),
-    ];
-    let state = table(&["state", "value"], state.map(|(name, value)| vec![name.to_owned(), of(value)]));
-    let pairs = e.pairs.iter().map(|pair| {
-        let [x, y, size] = cells(&pair.force);
-        let [dx, dy, _] = cells(&pair.offset);
-        vec![pair.id.to_string(), format!("{dx}, {dy}"), of(pair.stretch), x, y, size]
+fn solid_particle<T: Real, const D: usize>(e: &solid::Explanation<T, D>) -> String {
+    let stress = (0..D * D).map(|k| {
+        let (a, b) = (k / D, k % D);
+        row(&format!("stress P{}{} [Pa]", AXES[a], AXES[b]), [of(e.stress[(a, b)])])
     });
-    let total = cells(&e.force());
-    let blank = || String::new();
-    let sum = [[vec!["**sum**".to_owned(), blank(), blank()], total.into()].concat()];
-    let headings = ["neighbour", "offset [m]", "stretch [-]", "force x [N/m]", "y", "size"];
+    let state = components("position", "m", &e.position)
+        .chain(components("reference", "m", &e.reference))
+        .chain(components("velocity", "m/s", &e.velocity))
+        .chain([
+            row("volume ratio det F [-]", [of(e.volume_ratio)]),
+            row("largest stretch [-]", [of(e.stretches[0])]),
+            row("smallest stretch [-]", [of(e.stretches[D - 1])]),
+        ])
+        .chain(stress);
+    let state = table(&["state", "value"], state);
+    let pairs = e.pairs.iter().map(|pair| {
+        row(
+            &pair.id.to_string(),
+            [place(&pair.offset), of(pair.stretch)].into_iter().chain(cells(&pair.force)),
+        )
+    });
+    let blank = [String::new(), String::new()];
+    let sum = [row("**sum**", blank.into_iter().chain(cells(&e.force())))];
+    let force = format!("force x [{}]", units::force::<D>());
+    let headings: Vec<&str> = ["neighbour", "offset [m]", "stretch [-]", &force]
+        .into_iter()
+        .chain(headed::<D>("").split_off(2))
+        .collect();
     let pairs = table(&headings, pairs.chain(sum));
     format!("As it was before what failed:\n\n{state}\n{pairs}")
 }
@@ -129,7 +151,7 @@ pub(super) fn limits<T: Real>(step: &StepExplanation<T>) -> String {
 }
 
 /// The last steps, with time and length to the last bit.
-pub(super) fn steps(ring: &Ring) -> String {
+pub(super) fn steps<const D: usize>(ring: &Ring) -> String {
     let rows = ring.steps().iter().map(|step| {
         let Step { count, time, dt, limit, energy, kinetic, fastest, pressure } = step;
         vec![
@@ -143,7 +165,7 @@ pub(super) fn steps(ring: &Ring) -> String {
             format!("fluid particle {}, {} Pa", pressure.0, number(pressure.1)),
         ]
     });
-    let headings =
-        ["step", "t [s]", "dt [s]", "limit", "energy [J/m]", "kinetic [J/m]", "fastest", "largest pressure"];
+    let [energy, kinetic] = ["energy", "kinetic"].map(|name| format!("{name} [{}]", units::energy::<D>()));
+    let headings = ["step", "t [s]", "dt [s]", "limit", &energy, &kinetic, "fastest", "largest pressure"];
     table(&headings, rows)
 }

@@ -16,9 +16,9 @@ pub(super) struct Step {
     pub(super) dt: f64,
     /// What the length followed from; `None` for bodies alone.
     pub(super) limit: Option<Limit>,
-    /// Energy of fluid and bodies \[J/m\]; no number if it is not watched.
+    /// Energy of fluid and bodies \[J, in two dimensions J/m\]; no number if it is not watched.
     pub(super) energy: f64,
-    /// Kinetic energy of fluid and bodies \[J/m\].
+    /// Kinetic energy of fluid and bodies \[J, in two dimensions J/m\].
     pub(super) kinetic: f64,
     /// The fastest particle and its speed \[m/s\].
     pub(super) fastest: (Particle, f64),

@@ -35,6 +35,6 @@ pub(super) fn of<T: Real>(x: T) -> String {
 }
 
 /// The components of a vector and its length, a cell each.
-pub(super) fn cells<T: Real>(v: &Vector<T, 2>) -> [String; 3] {
-    [of(v[0]), of(v[1]), of(v.norm())]
+pub(super) fn cells<T: Real, const D: usize>(v: &Vector<T, D>) -> Vec<String> {
+    v.iter().copied().chain([v.norm()]).map(of).collect()
 }

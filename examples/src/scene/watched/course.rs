@@ -8,15 +8,15 @@ use mps_kernel::{Kernel, Real, Transfer};
 use mps_neighbors::Parallel;
 
 /// What is stepped, and who watches over it.
-pub(super) struct Course<'a, T: Real, K: Kernel<T>> {
-    pub(super) world: &'a mut World<T, K>,
+pub(super) struct Course<'a, T: Real, const D: usize, K: Kernel<T>> {
+    pub(super) world: &'a mut World<T, D, K>,
     pub(super) guard: &'a mut Guard,
     pub(super) parallel: &'a Parallel,
     /// Length of the step that led here \[s\].
     pub(super) last_step: f64,
 }
 
-impl<T: Real, K: Kernel<T>> Course<'_, T, K> {
+impl<T: Real, const D: usize, K: Kernel<T>> Course<'_, T, D, K> {
     pub(super) fn transfer(&mut self, transfer: &mut Transfer<'_>) {
         let Self { world, guard, parallel, last_step } = self;
         world.transfer(parallel, transfer);
@@ -33,9 +33,9 @@ impl<T: Real, K: Kernel<T>> Course<'_, T, K> {
 }
 
 /// The state of a run.
-pub(super) fn transfer_run<T: Real, K: Kernel<T>>(
-    course: &mut Course<'_, T, K>,
-    output: &mut Output<'_, T>,
+pub(super) fn transfer_run<T: Real, const D: usize, K: Kernel<T>>(
+    course: &mut Course<'_, T, D, K>,
+    output: &mut Output<'_, T, D>,
     stepping: &mut f64,
     transfer: &mut Transfer<'_>,
 ) {

@@ -9,7 +9,7 @@ use crate::scene::watch::{Dissected, Good, PostMortem, Setbacks, failed};
 use mps_kernel::{Kernel, Real, State};
 use std::path::Path;
 
-impl<T: Real, K: Kernel<T>> Watched<'_, T, K> {
+impl<T: Real, const D: usize, K: Kernel<T>> Watched<'_, T, D, K> {
     /// Goes back and on with shorter steps, if the scene says so; else the run stops.
     pub(super) fn go_back(&mut self, failure: Failure) -> Result<f64, Failure> {
         let Some(good) = self.course.guard.take_good() else { return Err(failure) };
@@ -64,7 +64,7 @@ impl<T: Real, K: Kernel<T>> Watched<'_, T, K> {
         good.course.restore(|transfer| self.course.transfer(transfer))?;
         PostMortem::clear(self.keeper.directory())?;
         mps_io::prepare_output(dir)?;
-        std::fs::write(dir.join("scene.toml"), self.scene.to_toml()?)?;
+        self.scene.write_to(dir)?;
         // The repetition has a table of its own, which begins here, and no fields.
         let mut observer = Observer::new(dir, self.scene, self.course.world, false)?;
         let mut output = Output::new(self.scene, &mut observer, None);

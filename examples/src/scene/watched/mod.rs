@@ -4,11 +4,11 @@ mod course;
 mod failure;
 mod output;
 
-use super::World;
 use super::fields::Fields;
 use super::keeper::Keeper;
 use super::observer::Observer;
 use super::watch::{Good, Guard};
+use super::{World, units};
 use crate::{Failure, Recorded};
 use course::{Course, transfer_run};
 use mps_io::scene_file::SceneFile;
@@ -18,11 +18,11 @@ use output::Output;
 use std::fmt;
 
 /// A scene, its observer, and what is drawn and when.
-pub(super) struct Watched<'a, T: Real, K: Kernel<T>> {
+pub(super) struct Watched<'a, T: Real, const D: usize, K: Kernel<T>> {
     scene: &'a SceneFile,
-    course: Course<'a, T, K>,
+    course: Course<'a, T, D, K>,
     /// How far the output is.
-    output: Output<'a, T>,
+    output: Output<'a, T, D>,
     keeper: &'a mut Keeper,
     /// The simulated time at which the run is to end \[s\].
     end: f64,
@@ -30,12 +30,12 @@ pub(super) struct Watched<'a, T: Real, K: Kernel<T>> {
     stepping: f64,
 }
 
-impl<'a, T: Real, K: Kernel<T>> Watched<'a, T, K> {
+impl<'a, T: Real, const D: usize, K: Kernel<T>> Watched<'a, T, D, K> {
     pub(super) fn new(
         scene: &'a SceneFile,
         end: f64,
-        (world, parallel): (&'a mut World<T, K>, &'a Parallel),
-        (observer, fields): (&'a mut Observer<T>, Option<Fields>),
+        (world, parallel): (&'a mut World<T, D, K>, &'a Parallel),
+        (observer, fields): (&'a mut Observer<T, D>, Option<Fields>),
         keeper: &'a mut Keeper,
         guard: &'a mut Guard,
     ) -> Self {
@@ -79,7 +79,7 @@ impl<'a, T: Real, K: Kernel<T>> Watched<'a, T, K> {
     }
 }
 
-impl<T: Real, K: Kernel<T>> Recorded for Watched<'_, T, K> {
+impl<T: Real, const D: usize, K: Kernel<T>> Recorded for Watched<'_, T, D, K> {
     fn time(&self) -> f64 {
         self.course.world.time()
     }
@@ -134,6 +134,6 @@ impl<T: Real, K: Kernel<T>> Recorded for Watched<'_, T, K> {
         let world = &self.course.world;
         let (fluid, bodies) = world.energy(self.course.parallel);
         let energy = (fluid.total() + bodies.total()).to_double();
-        write!(f, "{} sub-steps, energy {energy:.4e} J/m", world.substeps())
+        write!(f, "{} sub-steps, energy {energy:.4e} {}", world.substeps(), units::energy::<D>())
     }
 }

@@ -9,14 +9,14 @@ use mps_kernel::{Kernel, Real, Transfer};
 use mps_neighbors::Parallel;
 
 /// What is written, and when the next of it is due.
-pub(super) struct Output<'a, T: Real> {
-    pub(super) observer: &'a mut Observer<T>,
+pub(super) struct Output<'a, T: Real, const D: usize> {
+    pub(super) observer: &'a mut Observer<T, D>,
     pub(super) fields: Option<Fields>,
     /// Rows, frames of the film, fields, pictures.
     pub(super) due: [Due; 4],
 }
 
-impl<T: Real> Output<'_, T> {
+impl<T: Real, const D: usize> Output<'_, T, D> {
     pub(super) fn transfer(&mut self, transfer: &mut Transfer<'_>) {
         let Self { observer, fields, due } = self;
         transfer.within("table", |transfer| observer.transfer(transfer));
@@ -36,7 +36,7 @@ impl<T: Real> Output<'_, T> {
     /// What is due at `time` \[s\], after a step of `dt` \[s\]; a row in any case if it is the `last`.
     pub(super) fn write<K: Kernel<T>>(
         &mut self,
-        world: &mut World<T, K>,
+        world: &mut World<T, D, K>,
         parallel: &Parallel,
         [time, dt]: [f64; 2],
         last: bool,
@@ -58,8 +58,8 @@ impl<T: Real> Output<'_, T> {
     }
 }
 
-impl<'a, T: Real> Output<'a, T> {
-    pub(super) fn new(scene: &SceneFile, observer: &'a mut Observer<T>, fields: Option<Fields>) -> Self {
+impl<'a, T: Real, const D: usize> Output<'a, T, D> {
+    pub(super) fn new(scene: &SceneFile, observer: &'a mut Observer<T, D>, fields: Option<Fields>) -> Self {
         // Never is later than every end.
         let due = |interval: f64| if interval > 0.0 { Due::every(interval) } else { Due::never() };
         Self { observer, fields, due: scene.output.intervals(scene.end_time).map(due) }

@@ -7,10 +7,10 @@ use mps_kernel::{Real, Transfer, Vector};
 use mps_neighbors::Parallel;
 
 /// Bodies that do not know of each other.
-pub struct Dry<T: Real> {
-    pub(super) bodies: Vec<Elastic<T>>,
-    pub(super) no_force: Vec<Vec<Vector<T, 2>>>,
-    pub(super) gravity: Vector<T, 2>,
+pub struct Dry<T: Real, const D: usize> {
+    pub(super) bodies: Vec<Elastic<T, D>>,
+    pub(super) no_force: Vec<Vec<Vector<T, D>>>,
+    pub(super) gravity: Vector<T, D>,
     /// Sub-steps of each body in an interval, held constant: a symplectic step keeps the energy only as long as it
     /// does not change.
     pub(super) substeps: Vec<usize>,
@@ -22,7 +22,7 @@ pub struct Dry<T: Real> {
     pub(super) halvings: u32,
 }
 
-impl<T: Real> Dry<T> {
+impl<T: Real, const D: usize> Dry<T, D> {
     pub(super) fn transfer(&mut self, transfer: &mut Transfer<'_>) {
         // Sub-steps are found from the bodies at the start, as in the run that was saved.
         let Self { bodies, no_force: _, gravity: _, substeps: _, interval: _, intervals, steps, halvings: _ } =
@@ -34,12 +34,12 @@ impl<T: Real> Dry<T> {
     }
 
     pub(super) fn new(
-        bodies: Vec<Elastic<T>>,
-        gravity: Vector<T, 2>,
+        bodies: Vec<Elastic<T, D>>,
+        gravity: Vector<T, D>,
         interval: f64,
         parallel: &Parallel,
     ) -> Self {
-        let substeps = |body: &Elastic<T>| {
+        let substeps = |body: &Elastic<T, D>| {
             (interval / body.solid().max_step(parallel).to_double()).ceil().max(1.0) as usize
         };
         Self {

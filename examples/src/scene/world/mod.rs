@@ -23,26 +23,31 @@ use mps_solid::materials::Ambient;
 pub(super) type Rubber<T> = Ambient<Law<T>, T>;
 
 /// An elastic body of a scene.
-pub(super) type Elastic<T> = ElasticBody<T, 2, Rubber<T>>;
+pub(super) type Elastic<T, const D: usize> = ElasticBody<T, D, Rubber<T>>;
 
 /// A scene that can be stepped.
-pub enum World<T: Real, K: Kernel<T>> {
+pub enum World<T: Real, const D: usize, K: Kernel<T>> {
     /// With fluid.
-    Wet(Box<Wet<T, K>>),
+    Wet(Box<Wet<T, D, K>>),
     /// Bodies alone.
-    Dry(Dry<T>),
+    Dry(Dry<T, D>),
 }
 
-impl<T: Real, K: Kernel<T>> World<T, K> {
+impl<T: Real, const D: usize, K: Kernel<T>> World<T, D, K> {
     /// Builds what a scene describes.
     ///
     /// # Errors
     /// If a part refuses its numbers.
-    pub fn new(scene: &SceneFile, layout: &Layout, weight: K, parallel: &Parallel) -> Result<Self, Failure> {
+    pub fn new(
+        scene: &SceneFile,
+        layout: &Layout<D>,
+        weight: K,
+        parallel: &Parallel,
+    ) -> Result<Self, Failure> {
         let background = scene.fluid.as_ref().map_or(0.0, |fluid| fluid.numerics.background_pressure);
         let bodies =
             scene.solids.iter().map(|solid| Ok(ElasticBody::new(body(solid, background, parallel)?)));
-        let bodies = bodies.collect::<Result<Vec<Elastic<T>>, Failure>>()?;
+        let bodies = bodies.collect::<Result<Vec<Elastic<T, D>>, Failure>>()?;
         let Some(fluid) = &scene.fluid else {
             let [interval, ..] = scene.output.intervals(scene.end_time);
             return Ok(Self::Dry(Dry::new(bodies, vector(&scene.gravity), interval, parallel)));
@@ -153,7 +158,7 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
     }
 
     /// The fluid, if there is any.
-    pub fn fluid(&self) -> Option<&Water<T, K>> {
+    pub fn fluid(&self) -> Option<&Water<T, D, K>> {
         match self {
             Self::Wet(wet) => Some(wet.scene.fluid()),
             Self::Dry(_) => None,
@@ -161,7 +166,7 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
     }
 
     /// Fluid with bodies, if there is a fluid.
-    pub fn coupled(&self) -> Option<&Scene<T, 2, K, Viscous<T>>> {
+    pub fn coupled(&self) -> Option<&Scene<T, D, K, Viscous<T>>> {
         match self {
             Self::Wet(wet) => Some(&wet.scene),
             Self::Dry(_) => None,
@@ -169,7 +174,7 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
     }
 
     /// As [`coupled`](Self::coupled), to measure what is measured on request.
-    pub fn coupled_mut(&mut self) -> Option<&mut Scene<T, 2, K, Viscous<T>>> {
+    pub fn coupled_mut(&mut self) -> Option<&mut Scene<T, D, K, Viscous<T>>> {
         match self {
             Self::Wet(wet) => Some(&mut wet.scene),
             Self::Dry(_) => None,
@@ -177,17 +182,17 @@ impl<T: Real, K: Kernel<T>> World<T, K> {
     }
 
     /// Body number `k`.
-    pub fn solid(&self, k: usize) -> Option<&Solid<T, 2, Rubber<T>>> {
+    pub fn solid(&self, k: usize) -> Option<&Solid<T, D, Rubber<T>>> {
         match self {
             Self::Wet(wet) => {
-                wet.scene.structure(k)?.as_any().downcast_ref::<Elastic<T>>().map(Elastic::solid)
+                wet.scene.structure(k)?.as_any().downcast_ref::<Elastic<T, D>>().map(Elastic::solid)
             }
             Self::Dry(dry) => dry.bodies.get(k).map(Elastic::solid),
         }
     }
 
     /// The rigid bodies at rest, behind the elastic ones.
-    pub fn fixed(&self) -> impl Iterator<Item = &dyn Structure<T, 2>> {
+    pub fn fixed(&self) -> impl Iterator<Item = &dyn Structure<T, D>> {
         let wet = match self {
             Self::Wet(wet) => Some(wet),
             Self::Dry(_) => None,

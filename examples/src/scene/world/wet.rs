@@ -8,9 +8,9 @@ use mps_kernel::{Kernel, Real, Transfer};
 use mps_neighbors::Parallel;
 
 /// Fluid, walls and bodies.
-pub struct Wet<T: Real, K: Kernel<T>> {
-    pub(super) scene: Scene<T, 2, K, Viscous<T>>,
-    pub(super) movers: Vec<Mover<T>>,
+pub struct Wet<T: Real, const D: usize, K: Kernel<T>> {
+    pub(super) scene: Scene<T, D, K, Viscous<T>>,
+    pub(super) movers: Vec<Mover<T, D>>,
     /// Number of elastic bodies, which come before the fixed ones.
     pub(super) elastic: usize,
     pub(super) last_dt: f64,
@@ -18,7 +18,7 @@ pub struct Wet<T: Real, K: Kernel<T>> {
     pub(super) cfl: T,
 }
 
-impl<T: Real, K: Kernel<T>> Wet<T, K> {
+impl<T: Real, const D: usize, K: Kernel<T>> Wet<T, D, K> {
     pub(super) fn transfer(&mut self, parallel: &Parallel, transfer: &mut Transfer<'_>) {
         // Movers take their velocities from the time, and their places are those of the boundary.
         let Self { scene, movers: _, elastic: _, last_dt, cfl: _ } = self;

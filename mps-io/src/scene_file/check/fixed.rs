@@ -14,6 +14,7 @@ impl Checker<'_> {
         let packing = format!("{key}.packing");
         match &body.packing {
             Packing::Lattice => {}
+            Packing::Rings if !self.only_in(2, &packing, "give \"lattice\"") => {}
             Packing::Rings => {
                 let round = matches!(body.region, Region::Circle(_));
                 let remedy = "rings fill circles: give such a region, or \"lattice\"";
@@ -25,6 +26,9 @@ impl Checker<'_> {
 
     /// Rows along a box that begin on a disc at its left end.
     pub(super) fn rows(&mut self, disc: &Disc, region: &Region, key: &str) {
+        if !self.only_in(2, key, "hold a region of the body, or give \"lattice\"") {
+            return;
+        }
         let Disc { center, radius } = disc;
         let good = self.point(center, &format!("{key}.center"));
         self.positive(*radius, &format!("{key}.radius"), "give the radius in metres");

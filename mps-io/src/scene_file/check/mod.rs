@@ -6,6 +6,7 @@ mod output;
 mod phases;
 mod probes;
 mod regions;
+mod walls;
 mod watch;
 mod whole;
 
@@ -39,6 +40,14 @@ impl Checker<'_> {
     /// Refuses what is not within the range, its ends included.
     fn within(&mut self, value: f64, [low, high]: [f64; 2], key: &str, remedy: &str) {
         self.unless(value >= low && value <= high, key, format!("is {value}"), remedy);
+    }
+
+    /// Refuses what there is not in as many dimensions as the scene has.
+    fn only_in(&mut self, dimension: usize, key: &str, remedy: &str) -> bool {
+        let (good, has) = (self.dimension == dimension, self.dimension);
+        let what = format!("exists in {dimension} dimensions only, and the scene has {has}");
+        self.unless(good, key, what, remedy);
+        good
     }
 
     /// Refuses what has not one number per dimension.

@@ -12,6 +12,14 @@ const MOST_WIDE: f64 = 1e5;
 impl Checker<'_> {
     pub(super) fn openings(&mut self, fluid: &Fluid) {
         let l0 = fluid.spacing;
+        if self.dimension != 2 {
+            let remedy = "leave it out, or let a moved wall push the fluid";
+            let inlets = (0..fluid.inlets.len()).map(|k| format!("fluid.inlets[{k}]"));
+            for key in inlets.chain((0..fluid.outlets.len()).map(|k| format!("fluid.outlets[{k}]"))) {
+                self.only_in(2, &key, remedy);
+            }
+            return;
+        }
         for (k, Inlet { opening, toward, mean_speed, profile: _, ramp }) in fluid.inlets.iter().enumerate() {
             let key = format!("fluid.inlets[{k}]");
             self.opening(opening, *toward, l0, &key);
@@ -31,6 +39,7 @@ impl Checker<'_> {
     /// Refuses what is not flat across the way of the fluid, or on what no lattice fits.
     fn opening(&mut self, Corners { lower, upper }: &Corners, toward: Side, l0: f64, key: &str) {
         let opening = format!("{key}.opening");
+        self.sides(&[toward], &format!("{key}.toward"));
         let points = [(lower, "lower"), (upper, "upper")]
             .map(|(point, name)| self.point(point, &format!("{opening}.{name}")));
         if points != [true, true] || l0 <= 0.0 {

@@ -94,7 +94,7 @@ impl Checker<'_> {
             self.region(&body.region, fluid.spacing, &format!("{key}.region"));
             self.vector(&body.velocity, &format!("{key}.velocity"));
             if body.pressure == InitialPressure::ReleasedColumn {
-                let down = matches!(gravity, [0.0, g] if *g < 0.0);
+                let down = matches!(gravity, [0.0, g] | [0.0, g, 0.0] if *g < 0.0);
                 let good = down && matches!(body.region, Region::Box(_));
                 let remedy = "it is that of a box under gravity along -y: give such a region and gravity, or \"hydrostatic\"";
                 self.unless(good, &format!("{key}.pressure"), "is \"released_column\"", remedy);
@@ -153,6 +153,7 @@ impl Checker<'_> {
         match &solid.clamp {
             None => {}
             Some(Clamp::Sides(sides)) => {
+                self.sides(sides, &at("clamp.sides"));
                 let remedy =
                     "sides are those of a box: give a region to hold instead, clamp = { region = ... }";
                 self.unless(a_box, &at("clamp"), "names sides, but the body is no box", remedy);

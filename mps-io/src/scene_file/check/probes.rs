@@ -32,6 +32,9 @@ impl Checker<'_> {
             Measure::Line(line) => self.line_of_places(line, &format!("{key}.line")),
             Measure::WallPressure(wall) => {
                 let key = format!("{key}.wall_pressure");
+                if !self.only_in(2, &key, "give a probe of force on the fixed body") {
+                    return;
+                }
                 let names: Vec<&str> = scene.fixed.iter().map(|body| body.name.as_str()).collect();
                 let what = format!("is {:?}, and no fixed body has this name", wall.on);
                 let known = names.contains(&wall.on.as_str());

@@ -5,8 +5,8 @@ use super::Checker;
 
 impl Checker<'_> {
     pub(super) fn whole(&mut self, scene: &SceneFile) {
-        let only_two = "give 2: scenes in three dimensions cannot be run yet";
-        self.unless(scene.dimension == 2, "dimension", format!("is {}", scene.dimension), only_two);
+        let good = [2, 3].contains(&scene.dimension);
+        self.unless(good, "dimension", format!("is {}", scene.dimension), "give 2 or 3");
         if !self.problems.is_empty() {
             return;
         }
