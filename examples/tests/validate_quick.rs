@@ -25,6 +25,8 @@ const BOUNDS: &[(&str, &str, u64, f64)] = &[
     ("taylor-green", "decay rate", 30, 0.01),
     ("taylor-green", "velocity, largest L2 error", 30, 0.035),
     ("taylor-green", "momentum", 30, 1e-12),
+    ("taylor-green-30", "decay rate", 30, 0.01),
+    ("taylor-green-30", "velocity, largest L2 error", 30, 0.038),
     ("standing-wave", "period", 32, 0.024),
     ("standing-wave", "decay rate of the energy", 32, 0.045),
     ("standing-wave-50", "period", 32, 0.021),
