@@ -66,7 +66,7 @@ impl<T: Real> StepLimits<T> {
 /// Speed over sound speed beyond which the run is given up: nothing physical gets there.
 const ESCAPED: f64 = 20.0;
 
-/// Part of the largest stable Courant number that is used. The lattice it is derived for is the stiffest arrangement: see the tests.
+/// Part of the largest stable Courant number that is used.
 const SAFETY: f64 = 0.98;
 
 /// The largest Courant number `c dt/l0` with which no wave of the lattice grows, with density diffusion and without.
