@@ -1,7 +1,10 @@
 //! What every program says about a run: settings all have, cost, how it ended.
 
 use crate::{Common, Failure, closing_words, report_failure};
+use mps_fluid::{Compressibility, Fluid, Viscosity};
 use mps_io::{Metric, Summary};
+use mps_kernel::{Kernel, Real};
+use mps_neighbors::Domain;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -44,6 +47,20 @@ pub fn enter_results(summary: &mut Summary, results: impl IntoIterator<Item = (S
             Some(metric) => drop(summary.metrics.insert(name, metric)),
             None => summary.notes.push(format!("{name}: the run ended before")),
         }
+    }
+}
+
+/// Puts into a summary how compressible a fluid has been at most.
+pub fn enter_compressibility<T, const D: usize, K, V, P>(summary: &mut Summary, fluid: &Fluid<T, D, K, V, P>)
+where
+    T: Real,
+    K: Kernel<T>,
+    V: Viscosity<T, D>,
+    P: Domain<T, D>,
+{
+    let Compressibility { mach, density } = fluid.largest_compressibility();
+    for (name, value) in [("largest_mach_number", mach), ("largest_density_deviation", density)] {
+        summary.metrics.insert(name.to_owned(), Metric::new(value.to_double(), "-"));
     }
 }
 

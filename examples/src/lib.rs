@@ -28,7 +28,7 @@ mod weight;
 mod words;
 
 pub use cli::{Common, Precision, Refused};
-pub use conclusion::{Cost, conclude, enter_results, exit_code};
+pub use conclusion::{Cost, conclude, enter_compressibility, enter_results, exit_code};
 pub use connected::{GAP, connected};
 pub use log::LogLevel;
 pub use noise::Noise;

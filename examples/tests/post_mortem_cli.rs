@@ -155,6 +155,7 @@ fn an_unstable_run_is_examined_and_comes_again() {
 #[test]
 fn alarms_stop_a_run_and_come_again() {
     let rise = "[watch]\nenergy_rise = 0.1\n";
+    let slow = "[watch]\nmach = 0.05\non_mach = \"stop\"\n";
     for (name, scene, words) in [
         ("collapsed", water("collapsed", &unstable("0.9"), ""), "of the mean of the last ones"),
         (
@@ -162,12 +163,43 @@ fn alarms_stop_a_run_and_come_again() {
             water("energy", &unstable("1.2"), rise),
             "where `watch.energy_rise` of the scene allows 1e-1",
         ),
+        (
+            "too fast",
+            water("too-fast", CALM, slow),
+            "where `watch.mach` of the scene allows 0.05: raise the sound speed",
+        ),
         ("escaped", water("escaped", CALM, REGION), "has left the region of `watch.region` in step "),
     ] {
         let (dir, said) = broken(name, &scene, &[]);
         assert!(said.contains(words), "{name}: {said}");
         assert!(report(&dir).contains("## The particle: fluid particle "));
         comes_again(&dir, &said);
+    }
+}
+
+/// A run whose fluid is too fast goes on; log and summary say so, once, also where it has been resumed since.
+#[test]
+fn fluid_that_is_too_fast_is_told_once() {
+    let scene = water("warned", CALM, "[watch]\nmach = 0.05\n");
+    let dir = fresh("post-mortem", "warned");
+    for arguments in [
+        ["run", scene.to_str().unwrap(), "--quiet", "--end-time", "0.1"],
+        ["resume", dir.to_str().unwrap(), "--quiet", "--end-time", "0.15"],
+    ] {
+        let output = if arguments[0] == "run" {
+            execute(MPS, &dir, &arguments)
+        } else {
+            Command::new(MPS).args(arguments).output().unwrap()
+        };
+        assert!(output.status.success(), "{}", words(&output.stderr));
+        let log = std::fs::read_to_string(dir.join("run.log")).unwrap();
+        assert_eq!(log.matches("where `watch.mach` of the scene allows 0.05").count(), 1, "{log}");
+        let summary = Summary::read(dir.join("summary.json")).unwrap();
+        assert_eq!(summary.notes.iter().filter(|note| note.contains("times as fast as sound")).count(), 1);
+        let [mach, density] =
+            ["largest_mach_number", "largest_density_deviation"].map(|name| summary.metrics[name].value);
+        // The front is at 1.4 m/s, a tenth of the speed of sound, before the water hits anything.
+        assert!(mach > 0.05 && mach < 0.2 && density > 1e-3 && density < 0.05, "{mach} {density}");
     }
 }
 

@@ -22,7 +22,7 @@ pub enum Diffusion<T> {
     None,
     /// The filter of fourth order of eqs. 19 and 20, which leaves linear and quadratic fields alone.
     Filter {
-        /// Coefficient `delta`; stable up to about 1.
+        /// Coefficient `delta`. The larger, the shorter a step may be, in proportion to its inverse root; 0.5 leaves Courant numbers up to about 1.
         delta: T,
     },
     /// `dt/rho0` times the Laplacian of the pressure less its hydrostatic part (Amaro et al. 2022, eq. 20): without
@@ -79,7 +79,8 @@ pub struct FluidConfig<T: Real, const D: usize> {
     pub gravity: Vector<T, D>,
     /// Diffusion of the density. Default [`Diffusion::Filter`] with 0.5.
     pub diffusion: Diffusion<T>,
-    /// Courant number of eq. 46. Default 0.5; the paper's 0.1 costs five times as much, see docs.
+    /// Courant number of eq. 46. Default 0.5; the paper's 0.1 costs five times as much, see docs. What the density diffusion bears is not
+    /// exceeded: [`Fluid::stable_courant_number`](crate::Fluid::stable_courant_number).
     pub cfl: T,
     /// Treatment of negative pressure. Default [`Tension::Clip`].
     pub tension: Tension,

@@ -8,7 +8,8 @@ use crate::open::OpenBoundaries;
 use crate::rates::{Rates, State};
 use crate::search::Search;
 use crate::terms::{Guard, Viscosity, WallPair};
-use crate::{Boundary, FluidConfig, FluidError, FluidParticles, Limit, Tension};
+use crate::time_step::stable_courant_number;
+use crate::{Boundary, Compressibility, FluidConfig, FluidError, FluidParticles, Limit, Tension};
 use mps_kernel::weights::Rational;
 use mps_kernel::{Kernel, ParticleStore, Real, ReferenceDensity, Vector};
 use mps_neighbors::{Domain, Open, Parallel, RowView, Rows};
@@ -46,6 +47,11 @@ pub struct Fluid<
     pub(crate) last_dt: T,
     /// What the length of the last step followed from.
     pub(crate) limit: Limit,
+    /// The largest Courant number with which no wave of the lattice grows.
+    pub(crate) stable_courant: T,
+    /// Of the step that has begun last, and the largest of all.
+    pub(crate) compressibility: Compressibility<T>,
+    pub(crate) compressibility_seen: Compressibility<T>,
     /// How far the present step is.
     pub(crate) stage: Stage,
     /// What particles were like when the step began, if somebody wants to know.
@@ -91,6 +97,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let reference = ReferenceDensity::lattice::<K, D>(&kernel, config.spacing, config.radius())?;
         let mut rates = Rates::default();
         rates.resize(len);
+        let stable_courant = stable_courant_number::<T, D, K>(config.diffusion, &kernel, &reference);
         let mut fluid = Self {
             viscosity: viscosity(&reference),
             eos: config.equation_of_state(),
@@ -109,6 +116,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             steps: 0,
             last_dt: T::zero(),
             limit: Limit::default(),
+            stable_courant,
+            compressibility: Compressibility::default(),
+            compressibility_seen: Compressibility::default(),
             stage: Stage::Between,
             starts: None,
         };

@@ -6,6 +6,7 @@
 
 mod boundary;
 mod budget;
+mod compressibility;
 mod config;
 mod continuity;
 mod correction;
@@ -33,6 +34,7 @@ mod time_step;
 
 pub use boundary::{Boundary, Shear, Slip};
 pub use budget::EnergyBudget;
+pub use compressibility::Compressibility;
 pub use config::{Diffusion, FluidConfig, PressureForm, Tension};
 pub use energy::FluidEnergy;
 pub use eos::{EquationOfState, Tait};

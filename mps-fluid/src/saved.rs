@@ -35,6 +35,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             steps,
             last_dt,
             limit: _,
+            stable_courant: _,
+            compressibility,
+            compressibility_seen,
             stage,
             starts: _,
         } = self;
@@ -55,6 +58,10 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         transfer.value("time", time);
         transfer.value("steps", steps);
         transfer.value("last step", last_dt);
+        for (name, both) in [("", compressibility), ("largest ", compressibility_seen)] {
+            transfer.value(&format!("{name}Mach number"), &mut both.mach);
+            transfer.value(&format!("{name}density deviation"), &mut both.density);
+        }
         if transfer.is_restoring() {
             // Found anew in every step.
             *rates = Rates::default();

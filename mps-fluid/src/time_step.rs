@@ -1,8 +1,9 @@
 //! The longest stable time step.
 
+use crate::compressibility::deviation;
 use crate::terms::Viscosity;
-use crate::{Fluid, FluidConfig, FluidError};
-use mps_kernel::{Kernel, Real};
+use crate::{Compressibility, Diffusion, Fluid, FluidConfig, FluidError, Tension};
+use mps_kernel::{Kernel, LatticeWaves, Real, ReferenceDensity, Vector};
 use mps_neighbors::{Domain, Parallel};
 
 /// What the length of a step follows from.
@@ -15,6 +16,8 @@ pub enum Limit {
     Viscosity,
     /// The largest acceleration, `sqrt(l0/a_max)`.
     Acceleration,
+    /// The density diffusion, `sqrt(2/(delta sigma)) l0/c` with the damping `sigma` of the wave that alternates from particle to particle.
+    Diffusion,
 }
 
 impl Limit {
@@ -24,11 +27,13 @@ impl Limit {
             Self::Sound => "sound",
             Self::Viscosity => "viscosity",
             Self::Acceleration => "acceleration",
+            Self::Diffusion => "diffusion",
         }
     }
 }
 
-/// The limits of a step \[s\], each with the Courant number in it; infinite where there is none.
+/// The limits of a step \[s\], infinite where there is none. The Courant number is in all of them but that of the diffusion, which is a border
+/// of stability whatever the Courant number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepLimits<T> {
     /// By sound and the fastest particle.
@@ -37,13 +42,19 @@ pub struct StepLimits<T> {
     pub viscosity: T,
     /// By the largest acceleration.
     pub acceleration: T,
+    /// By the density diffusion.
+    pub diffusion: T,
 }
 
 impl<T: Real> StepLimits<T> {
     /// The limit that acts, and the length of the step \[s\].
     pub fn shortest(&self) -> (Limit, T) {
         let mut shortest = (Limit::Sound, self.sound);
-        for (limit, dt) in [(Limit::Viscosity, self.viscosity), (Limit::Acceleration, self.acceleration)] {
+        for (limit, dt) in [
+            (Limit::Viscosity, self.viscosity),
+            (Limit::Acceleration, self.acceleration),
+            (Limit::Diffusion, self.diffusion),
+        ] {
             if dt < shortest.1 {
                 shortest = (limit, dt);
             }
@@ -55,22 +66,50 @@ impl<T: Real> StepLimits<T> {
 /// Speed over sound speed beyond which the run is given up: nothing physical gets there.
 const ESCAPED: f64 = 20.0;
 
+/// Part of the largest stable Courant number that is used.
+const SAFETY: f64 = 0.98;
+
+/// The largest Courant number `c dt/l0` with which no wave of the lattice grows, with density diffusion and without.
+///
+/// A wave of velocity and density goes through `u' = u - i C kappa n`, `n' = n (1 - b) - i C kappa u'` in a step, with
+/// `b = C^2 delta sigma`. Both eigenvalues stay in the unit circle while `C^2 kappa^2 + 2 b < 4`, hence `C^2 (kappa^2/2 + delta sigma) < 2` for
+/// the stiffest wave: that of the diffusion alternates along every axis and has no slope `kappa` at all.
+pub(crate) fn stable_courant_number<T: Real, const D: usize, K: Kernel<T>>(
+    diffusion: Diffusion<T>,
+    kernel: &K,
+    reference: &ReferenceDensity<T>,
+) -> T {
+    let waves = LatticeWaves::<D>::new(kernel, reference);
+    let stiffness = waves.grid().fold(0.0_f64, |most, wave| {
+        let damping = match diffusion {
+            Diffusion::None => 0.0,
+            Diffusion::Filter { delta } => delta.to_double() * wave.filter,
+            Diffusion::Hydrostatic => wave.laplacian,
+        };
+        most.max(0.5 * wave.slope + damping)
+    });
+    T::of((2.0 / stiffness).sqrt())
+}
+
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
-    /// `dt = C min(l0/(v_max + c), l0^2/(8 nu))` (eq. 46), and `sqrt(l0/a_max)` for sudden forces.
+    /// `dt = C min(l0/(v_max + c), l0^2/(8 nu))` (eq. 46), `sqrt(l0/a_max)` for sudden forces, and what the density diffusion bears.
     pub(crate) fn stable_step(&mut self, parallel: &Parallel) -> Result<T, FluidError> {
-        let (u, a) = (&self.particles.velocity, &self.rates.acceleration);
+        let (u, a, n) = (&self.particles.velocity, &self.rates.acceleration, &self.particles.density);
+        let clip = self.config.tension == Tension::Clip;
         // Keeps a NaN once it has met one, so that it cannot hide behind a comparison.
         let largest = |x: T, y: T| if x > y || x.partial_cmp(&x).is_none() { x } else { y };
-        let (v2, a2) = parallel.fold(
+        let (v2, a2, density) = parallel.fold(
             u.len(),
-            (T::zero(), T::zero()),
-            &|i| (u[i].norm_squared(), a[i].norm_squared()),
-            &|x, y| (largest(x.0, y.0), largest(x.1, y.1)),
+            (T::zero(), T::zero(), T::zero()),
+            &|i| (u[i].norm_squared(), a[i].norm_squared(), deviation(n[i], clip)),
+            &|x, y| (largest(x.0, y.0), largest(x.1, y.1), largest(x.2, y.2)),
         );
         if !(v2.is_finite() && a2.is_finite()) {
             return Err(self.find_not_finite());
         }
         let v = v2.sqrt();
+        self.compressibility = Compressibility { mach: v / self.config.sound_speed, density };
+        self.compressibility_seen = self.compressibility_seen.larger(&self.compressibility);
         let (limit, dt) = self.step_limits(v, a2.sqrt()).shortest();
         self.limit = limit;
         if v > self.config.sound_speed * T::of(ESCAPED) {
@@ -87,7 +126,24 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let viscosity = if nu > T::zero() { l0 * l0 * T::of(0.125) / nu } else { none };
         let acceleration = if a > T::zero() { (l0 / a).sqrt() } else { none };
         let cfl = self.config.cfl;
-        StepLimits { sound: l0 / (v + c) * cfl, viscosity: viscosity * cfl, acceleration: acceleration * cfl }
+        StepLimits {
+            sound: l0 / (v + c) * cfl,
+            viscosity: viscosity * cfl,
+            acceleration: acceleration * cfl,
+            diffusion: self.stable_courant * T::of(SAFETY) * l0 / c,
+        }
+    }
+
+    /// The limits at the present velocities and the accelerations of the last step.
+    pub fn limits(&self) -> StepLimits<T> {
+        let most = |vectors: &[Vector<T, D>]| vectors.iter().fold(T::zero(), |most, x| most.max(x.norm()));
+        self.step_limits(most(&self.particles.velocity), most(&self.rates.acceleration))
+    }
+
+    /// The largest Courant number `c dt/l0` with which no wave on the lattice grows, which depends on weight, radius and density diffusion
+    /// \[-\]. Steps stay 2 % below it, whatever [`FluidConfig::cfl`] asks for.
+    pub fn stable_courant_number(&self) -> T {
+        self.stable_courant
     }
 
     /// What the length of the last step that has begun followed from.

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
 use mps_io::scene_file::{
-    Clamp, Corners, InitialPressure, Material, Measure, OnFailure, Packing, Profile, Region, Retry,
+    Clamp, Corners, InitialPressure, Material, Measure, OnFailure, OnMach, Packing, Profile, Region, Retry,
     SceneError, SceneFile, Side, Slip, Source, Viscosity, Watch, parse, reference, schema,
 };
 use proptest::prelude::*;
@@ -104,12 +104,14 @@ measure = { force = { on = ["post"] } }
 #[test]
 fn what_a_run_is_watched_for_is_read_and_written_and_refused_where_it_makes_no_sense() {
     assert_eq!(read(SCENE).unwrap().watch, Watch::default());
-    let watch = "[watch]\ncollapse = 0.0\nenergy_rise = 0.5\non_failure = { retry = { times = 2 } }\n\
+    let watch = "[watch]\ncollapse = 0.0\nenergy_rise = 0.5\nmach = 0.25\non_mach = \"stop\"\non_failure = { retry = { times = 2 } }\n\
                  region = { lower = [0.0, 0.0], upper = [1.0, 1.0] }\n";
     let scene = read(&[SCENE, watch].concat()).unwrap();
     let wanted = Watch {
         collapse: 0.0,
         energy_rise: Some(0.5),
+        mach: 0.25,
+        on_mach: OnMach::Stop,
         on_failure: OnFailure::Retry(Retry { steps: 200, times: 2 }),
         region: Some(Corners::between([0.0, 0.0], [1.0, 1.0])),
         ..Watch::default()
@@ -120,6 +122,7 @@ fn what_a_run_is_watched_for_is_read_and_written_and_refused_where_it_makes_no_s
         ("collapse = 0.0", "collapse = 0.9", "watch.collapse"),
         ("collapse = 0.0", "steps = 0", "watch.steps"),
         ("energy_rise = 0.5", "energy_rise = -0.5", "watch.energy_rise"),
+        ("mach = 0.25", "mach = 0.0", "watch.mach"),
         ("times = 2", "times = 0", "watch.on_failure.retry.times"),
         ("upper = [1.0, 1.0]", "upper = [1.0, -1.0]", "watch.region"),
     ] {

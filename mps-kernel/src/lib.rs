@@ -7,7 +7,7 @@
 //! - [`Real`], [`Vector`], [`Tensor`]: the scalar (`f32` or `f64`) and the `D`-dimensional values.
 //! - [`Number`], [`Lanes`]: what pair formulas are written for, one scalar or several side by side.
 //! - [`Kernel`]: the weight `W(r, re)`; one file for each formula in [`weights`].
-//! - [`ReferenceDensity`]: `n0` and `lambda0` of the full lattice.
+//! - [`ReferenceDensity`]: `n0` and `lambda0` of the full lattice; [`LatticeWaves`]: what operators make of its waves.
 //! - [`operators`]: gradient, divergence, Laplacian and the corrected matrix, written as what one
 //!   pair adds ([`PairOperator`]).
 //! - [`Neighborhood`]: how an operator asks for the neighbours of a particle.
@@ -63,6 +63,7 @@
 //! ```
 
 mod lanes;
+mod lattice_waves;
 mod neighborhood;
 mod number;
 pub mod operators;
@@ -76,6 +77,7 @@ pub mod tensor;
 pub mod weights;
 
 pub use lanes::{F32Lanes, F64Lanes, Lanes};
+pub use lattice_waves::{LatticeNeighbor, LatticeWaves, WaveSymbols};
 pub use neighborhood::{Neighborhood, PairOperator, apply};
 pub use number::Number;
 pub use pair::Pair;

@@ -76,14 +76,11 @@ impl<T: Real> ReferenceDensity<T> {
         let mut n0 = T::zero();
         let mut second_moment = T::zero();
         let mut neighbors = 0;
-        // A point on the rim counts as outside, whatever the last bits of spacing and radius say:
-        // else the count, and n0 of a weight that jumps there, would be left to chance.
-        let rim = radius * radius * (T::one() - T::default_epsilon() * T::of(16.0));
         let closest = closest(radius);
         for offset in lattice_offsets::<T, D>(spacing, radius) {
             let r2 = offset.norm_squared();
             let (weight, _) = kernel.weight_and_over_r2(r2.max(closest * closest), radius);
-            if r2 < rim && weight > T::zero() {
+            if is_within(&offset, radius) && weight > T::zero() {
                 n0 += weight;
                 second_moment += weight * r2;
                 neighbors += 1;
@@ -108,6 +105,14 @@ impl<T: Real> ReferenceDensity<T> {
     pub fn laplacian_factor<const D: usize>(&self) -> T {
         T::of(2.0 * D as f64) / (self.n0 * self.lambda0)
     }
+}
+
+/// Whether a lattice point is a neighbour.
+///
+/// A point on the rim counts as outside, whatever the last bits of spacing and radius say:
+/// else the count, and n0 of a weight that jumps there, would be left to chance.
+pub(crate) fn is_within<T: Real, const D: usize>(offset: &Vector<T, D>, radius: T) -> bool {
+    offset.norm_squared() < radius * radius * (T::one() - T::default_epsilon() * T::of(16.0))
 }
 
 /// All lattice vectors except zero with components up to `radius`, in a fixed order.

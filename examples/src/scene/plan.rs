@@ -177,10 +177,9 @@ fn steps<T: Real, const D: usize, K: Kernel<T>>(
         let _ =
             writeln!(text, "Mach number    {mach:.2} expected, density within {:.1} %", 100.0 * mach * mach);
     }
-    if let (Some(fluid), Some(description)) = (world.fluid(), &scene.fluid) {
-        let limit = limits(fluid, description).into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
-        let (dt, by) = limit.unwrap_or((measured.dt, "sound"));
-        let _ = writeln!(text, "fluid step     {dt:.3e} s, limited by {by}");
+    if let Some(fluid) = world.fluid() {
+        let (limit, dt) = fluid.limits().shortest();
+        let _ = writeln!(text, "fluid step     {:.3e} s, limited by {}", dt.to_double(), limit.name());
     }
     for (k, solid) in scene.solids.iter().enumerate() {
         let Some(body) = world.solid(k) else { continue };
@@ -192,26 +191,6 @@ fn steps<T: Real, const D: usize, K: Kernel<T>>(
     }
     let count = scene.end_time / measured.dt;
     let _ = writeln!(text, "steps          {count:.0} of about {:.3e} s", measured.dt);
-}
-
-/// The limits of the step of the fluid (eq. 46) \[s\] and what each is due to.
-fn limits<T: Real, const D: usize, K: Kernel<T>>(
-    fluid: &super::water::Water<T, D, K>,
-    description: &mps_io::scene_file::Fluid,
-) -> [(f64, &'static str); 3] {
-    let (l0, c, cfl) = (description.spacing, description.sound(), description.numerics.cfl);
-    let fastest = fluid.particles().velocity.iter().map(|u| u.norm().to_double()).fold(0.0, f64::max);
-    let hardest = fluid.acceleration().iter().map(|a| a.norm().to_double()).fold(0.0, f64::max);
-    let nu = match description.viscosity {
-        Viscosity::None => 0.0,
-        Viscosity::Artificial(alpha) => alpha * c * l0 / 8.0,
-        Viscosity::Laminar(nu) | Viscosity::Compact(nu) => nu,
-    };
-    [
-        (cfl * l0 / (fastest + c), "sound"),
-        (cfl * 0.125 * l0 * l0 / nu, "viscosity"),
-        (cfl * (l0 / hardest).sqrt(), "acceleration"),
-    ]
 }
 
 /// What pictures and film show, where that is not everything.

@@ -8,7 +8,7 @@ use super::resume::checkpoints;
 use super::watch::{Guard, PostMortem};
 use super::watched::Watched;
 use super::{Layout, World, report};
-use crate::{Common, Cost, Failure, Precision, Watch, conclude, record};
+use crate::{Common, Cost, Failure, Precision, Watch, conclude, enter_compressibility, record};
 use mps_io::checkpoint::{Identity, Rotation};
 use mps_io::scene_file::{SceneFile, Weight};
 use mps_kernel::weights::{Rational, WendlandC2, WendlandGradient};
@@ -120,6 +120,9 @@ fn whole<T: Real, const D: usize, K: Kernel<T>>(
     };
     let mut summary = report::summary(name, scene, layout, &observer);
     summary.notes.extend(guard.notes());
+    if let Some(fluid) = world.fluid() {
+        enter_compressibility(&mut summary, fluid);
+    }
     cost.enter(&mut summary, common, done.as_ref().err());
     conclude(&dir, &summary, common, done.is_ok())?;
     done

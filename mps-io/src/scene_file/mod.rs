@@ -53,4 +53,4 @@ pub use solids::{Clamp, Elasticity, InitialVelocity, Material, Side, Solid};
 pub use source::{Problem, SceneError, Source};
 pub use suggest::closest;
 pub use walls::{Motion, Oscillation, Shape, Slip, Steady, Tank, Wall};
-pub use watch::{OnFailure, Retry, Watch};
+pub use watch::{OnFailure, OnMach, Retry, Watch};

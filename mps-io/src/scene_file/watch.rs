@@ -16,8 +16,13 @@ pub struct Watch {
     /// watched if left out. Costs a sum over all particles in every step
     #[serde(skip_serializing_if = "Option::is_none")]
     pub energy_rise: Option<f64>,
+    /// Largest speed of a fluid particle over the speed of sound beyond which something is said or done (-): compression and the errors of the
+    /// pressure go with its square
+    pub mach: f64,
     /// What becomes of a run that fails
     pub on_failure: OnFailure,
+    /// What becomes of a run whose fluid gets faster than `mach`
+    pub on_mach: OnMach,
     /// Where all particles have to stay (m); not watched if left out
     #[serde(skip_serializing_if = "Option::is_none")]
     pub region: Option<Corners>,
@@ -25,8 +30,27 @@ pub struct Watch {
 
 impl Default for Watch {
     fn default() -> Self {
-        Self { steps: 50, collapse: 0.01, energy_rise: None, on_failure: OnFailure::default(), region: None }
+        Self {
+            steps: 50,
+            collapse: 0.01,
+            energy_rise: None,
+            mach: 0.3,
+            on_failure: OnFailure::default(),
+            on_mach: OnMach::default(),
+            region: None,
+        }
     }
+}
+
+/// What becomes of a run whose fluid gets too fast for its speed of sound
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum OnMach {
+    /// It goes on; the log and the notes of the summary say it once
+    #[default]
+    Warn,
+    /// It fails
+    Stop,
 }
 
 /// What becomes of a run that fails

@@ -11,7 +11,8 @@
 
 use crate::common::{Cloud, Weight};
 use mps_kernel::operators::{DiffusionFilter, Gradient};
-use mps_kernel::{Neighborhood, Vector, apply};
+use mps_kernel::weights::{Rational, WendlandGradient};
+use mps_kernel::{Kernel, LatticeWaves, Neighborhood, ReferenceDensity, Vector, apply};
 
 /// `s(k)` through the operators of the crate, and the bound above. The spacing is one.
 fn symbol<const D: usize>(cloud: &Cloud<f64, D>, k: &Vector<f64, D>) -> (f64, f64) {
@@ -120,4 +121,39 @@ fn without_gradients_long_waves_are_damped_to_second_order() {
     };
     let ratio = damping(0.04) / damping(0.02);
     assert!((ratio - 4.0).abs() < 0.01, "{ratio}");
+}
+
+/// The largest symbols on the coarse grid of [`LatticeWaves::grid`] are those of all waves.
+fn coarse_grid_is_enough<const D: usize, K: Kernel<f64>>(kernel: &K, weight: Weight, ratio: f64) {
+    let reference = ReferenceDensity::lattice::<K, D>(kernel, 0.01, 0.01 * ratio).unwrap();
+    let found =
+        LatticeWaves::<D>::new(kernel, &reference).grid().fold(0.0_f64, |most, wave| most.max(wave.filter));
+    let strongest = scan::<D>(weight, ratio, if D == 2 { 50 } else { 11 });
+    assert!((found / strongest - 1.0).abs() < 0.01, "{D}D {weight:?} {ratio}: {found} of {strongest}");
+}
+
+#[test]
+fn a_coarse_grid_finds_the_strongest_damping() {
+    for ratio in [1.5, 2.1, 2.5, 3.0, 4.0, 5.5] {
+        coarse_grid_is_enough::<2, _>(&Rational, Weight::Rational, ratio);
+        coarse_grid_is_enough::<2, _>(&WendlandGradient, Weight::WendlandGradient, ratio);
+    }
+    for ratio in [1.5, 3.0] {
+        coarse_grid_is_enough::<3, _>(&Rational, Weight::Rational, ratio);
+        coarse_grid_is_enough::<3, _>(&WendlandGradient, Weight::WendlandGradient, ratio);
+    }
+}
+
+/// Long waves have the derivatives of the continuum, in single precision as well.
+#[test]
+fn long_waves_have_the_symbols_of_derivatives() {
+    let reference = ReferenceDensity::lattice::<_, 3>(&Rational, 0.01_f32, 0.03).unwrap();
+    let waves = LatticeWaves::<3>::new(&Rational, &reference);
+    let k = Vector::from([0.02, -0.01, 0.03]);
+    let wave = waves.symbols(&k);
+    let k2 = k.norm_squared();
+    for symbol in [wave.slope, wave.laplacian] {
+        assert!((symbol / k2 - 1.0).abs() < 1e-3, "{symbol} for {k2}");
+    }
+    assert!(wave.filter < 1e-3 * k2, "{wave:?}");
 }

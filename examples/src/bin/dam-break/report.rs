@@ -6,7 +6,7 @@ use crate::options::Options;
 use crate::reference::{FRONT, LARGE_SENSOR, SENSORS, SOURCE};
 use crate::sensors::HEIGHTS;
 use crate::setup::{DamBreak, HEIGHT, LENGTH, OPENING_TIME, Release, Settings, TANK, TIME, sound_speed};
-use mps_examples::{Cost, Failure, enter_results};
+use mps_examples::{Cost, Failure, enter_compressibility, enter_results};
 use mps_io::{CurvePlot, Metric, Summary};
 use mps_kernel::{Kernel, Real};
 use std::path::Path;
@@ -78,6 +78,7 @@ pub(crate) fn summary<T: Real, K: Kernel<T>>(
     summary.particles.insert("wall".into(), fluid.boundary().len() as u64);
     cost.enter(&mut summary, &options.common, failure);
     enter_results(&mut summary, results(settings, observer));
+    enter_compressibility(&mut summary, fluid);
     summary
 }
 

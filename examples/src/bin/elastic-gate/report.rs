@@ -5,7 +5,7 @@ use crate::observe::Observer;
 use crate::options::Options;
 use crate::reference::EXPERIMENT;
 use crate::setup::{FreeEnd, GateScene, Settings, sound_speed};
-use mps_examples::{Cost, Failure};
+use mps_examples::{Cost, Failure, enter_compressibility};
 use mps_io::{CurvePlot, Metric, Summary};
 use mps_kernel::{Kernel, Real};
 use std::path::Path;
@@ -114,6 +114,7 @@ pub(crate) fn summary<T: Real, K: Kernel<T>>(
         let share = Metric::new(bytes as f64 / all as f64, "B");
         summary.metrics.insert("peak_memory_per_particle".to_owned(), share);
     }
+    enter_compressibility(&mut summary, scene.fluid());
     summary
 }
 

@@ -5,6 +5,7 @@ mod border;
 mod coupling;
 mod fluid_step;
 mod map;
+mod motion;
 mod options;
 mod precision;
 mod search;
@@ -45,6 +46,7 @@ fn borders() -> Vec<Border> {
         solid_material::borders(),
         coupling::borders(),
         water::borders(),
+        motion::borders(),
         strays::borders(),
         precision::borders(),
     ]

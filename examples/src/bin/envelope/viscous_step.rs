@@ -4,11 +4,11 @@
 
 use crate::border::{Border, Breaks};
 use crate::fluid_step::{growth, undamped};
-use crate::waves::{Neighbour, neighbours, vectors};
+use crate::waves::{lattice_of, vectors};
 use mps_examples::Failure;
 use mps_fluid::{ArtificialViscosity, CompactViscosity, LaminarViscosity};
 use mps_kernel::weights::{Rational, WendlandC2, WendlandGradient};
-use mps_kernel::{Kernel, Tensor, Vector};
+use mps_kernel::{Kernel, LatticeNeighbor, Tensor, Vector};
 
 /// Spacings that sound goes in a step.
 const SOUND: f64 = 1e-3;
@@ -18,22 +18,24 @@ const SIDE: usize = 16;
 fn laplacian<K: Kernel<f64>>(
     kernel: &K,
     radius: f64,
-    weight: fn(&Neighbour<2>, f64) -> f64,
+    weight: fn(&LatticeNeighbor<2>, f64) -> f64,
 ) -> Result<f64, Failure> {
-    let (neighbours, n0) = neighbours::<2, K>(kernel, radius)?;
-    let lambda0 = neighbours.iter().map(|near| near.weight * near.offset.norm_squared()).sum::<f64>() / n0;
+    let lattice = lattice_of::<2, K>(kernel, radius)?;
+    let (n0, lambda0) = (lattice.n0(), lattice.lambda0());
     let symbol = |k: Vector<f64, 2>| {
-        let part = |near: &Neighbour<2>| 4.0 / n0 * weight(near, lambda0) * (1.0 - k.dot(&near.offset).cos());
-        neighbours.iter().map(part).sum::<f64>()
+        let part =
+            |near: &LatticeNeighbor<2>| 4.0 / n0 * weight(near, lambda0) * (1.0 - k.dot(&near.offset).cos());
+        lattice.neighbors().iter().map(part).sum::<f64>()
     };
     Ok(2.0 / vectors(SIDE).map(symbol).fold(0.0, f64::max))
 }
 
 /// The same for viscosity along the line of the pair: its symbol is a tensor, and `nu` is an eighth of its strength.
 fn along_pairs<K: Kernel<f64>>(kernel: &K, radius: f64) -> Result<f64, Failure> {
-    let (neighbours, n0) = neighbours::<2, K>(kernel, radius)?;
+    let lattice = lattice_of::<2, K>(kernel, radius)?;
+    let n0 = lattice.n0();
     let symbol = |k: Vector<f64, 2>| {
-        let sum = neighbours.iter().fold(Tensor::<f64, 2>::zeros(), |sum, near| {
+        let sum = lattice.neighbors().iter().fold(Tensor::<f64, 2>::zeros(), |sum, near| {
             let r = &near.offset;
             sum + r * r.transpose() * (2.0 / n0 * near.over_r2 / r.norm_squared() * (1.0 - k.dot(r).cos()))
         });

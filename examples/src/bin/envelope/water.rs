@@ -9,26 +9,30 @@ use mps_kernel::Vector;
 use mps_kernel::weights::WendlandGradient;
 use mps_neighbors::{Open, Parallel};
 
-/// Side of the block and of the closed box it is thrown in, in particles.
+/// Side of the block and spacings between it and the sides of the closed box it is thrown in.
 const BLOCK: usize = 10;
-const BOX: usize = 14;
+const ROOM: usize = 4;
 
 /// Particles that have left the box after a block has been thrown at its right wall with this part of the speed of sound.
-fn thrown(mach: f64) -> Result<f64, Failure> {
+///
+/// # Errors
+/// If the fluid cannot go on.
+pub(crate) fn thrown(mach: f64, side: usize) -> Result<f64, Failure> {
+    let room = side + ROOM;
     let parallel = Parallel::serial();
     let mut config = water::<f64, 2>(1.0, 1.0);
     config.collisions = Some(Dpc::default());
-    let corner = [(BOX - BLOCK) as f64 - 1.0, 0.5 * (BOX - BLOCK) as f64];
-    let mut particles = FluidParticles::at_rest(lattice(corner, [BLOCK; 2], 1.0));
+    let corner = [ROOM as f64 - 1.0, 0.5 * ROOM as f64];
+    let mut particles = FluidParticles::at_rest(lattice(corner, [side; 2], 1.0));
     particles.velocity.fill(Vector::from([mach, 0.0]));
     let viscosity = |r: &_| ArtificialViscosity::new::<2>(0.02, 1.0, r);
-    let boundary = walls([BOX; 2], None, 1.0);
+    let boundary = walls([room; 2], None, 1.0);
     let mut fluid = Fluid::new(config, WendlandGradient, viscosity, Open, particles, boundary)?;
     // There and back.
-    while fluid.time() < 2.0 * BOX as f64 / mach {
+    while fluid.time() < 2.0 * room as f64 / mach {
         fluid.step(&parallel)?;
     }
-    let out = |r: &&Vector<f64, 2>| r.iter().any(|x| !(0.0..=BOX as f64).contains(x));
+    let out = |r: &&Vector<f64, 2>| r.iter().any(|x| !(0.0..=room as f64).contains(x));
     Ok(fluid.particles().position.iter().filter(out).count() as f64)
 }
 
@@ -112,7 +116,7 @@ pub(crate) fn borders() -> Vec<Border> {
             parameter: "speed of a block of water over that of sound",
             measure: "particles beyond the walls",
             bound: 0.0,
-            scene: thrown,
+            scene: |mach| thrown(mach, BLOCK),
             breaks: Breaks::Leak,
             mechanism: "the water comes closer to the points of the wall than the guard can stop",
             remedy: "a speed of sound of ten times the largest speed",

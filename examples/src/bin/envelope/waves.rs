@@ -17,16 +17,7 @@
 use core::f64::consts::TAU;
 use mps_examples::Failure;
 use mps_examples::basin::lattice;
-use mps_kernel::{Kernel, ReferenceDensity, Vector};
-
-/// The numbers of a wave.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Wave {
-    /// `|kappa|^2`.
-    slope: f64,
-    /// `sigma`.
-    filter: f64,
-}
+use mps_kernel::{Kernel, LatticeWaves, ReferenceDensity, Vector, WaveSymbols};
 
 /// What keeps a wave within bounds, or does not.
 #[derive(Clone, Copy, Debug, Default)]
@@ -37,38 +28,18 @@ pub(crate) struct Step {
     pub(crate) delta: f64,
 }
 
-impl Wave {
-    fn is_stable(&self, step: Step) -> bool {
-        let a = step.courant.powi(2) * self.slope;
-        let b = step.delta * step.courant.powi(2) * self.filter;
-        a + 2.0 * b < 4.0 && (1.0 - b).abs() <= 1.0
-    }
+fn is_stable(wave: &WaveSymbols, step: Step) -> bool {
+    let a = step.courant.powi(2) * wave.slope;
+    let b = step.delta * step.courant.powi(2) * wave.filter;
+    a + 2.0 * b < 4.0 && (1.0 - b).abs() <= 1.0
 }
 
-/// A neighbour on the lattice.
-pub(crate) struct Neighbour<const D: usize> {
-    /// Where it is.
-    pub(crate) offset: Vector<f64, D>,
-    /// `W`.
-    pub(crate) weight: f64,
-    /// `W/r^2`.
-    pub(crate) over_r2: f64,
-}
-
-/// All neighbours, and `n0`.
-pub(crate) fn neighbours<const D: usize, K: Kernel<f64>>(
+/// The lattice with this radius in spacings.
+pub(crate) fn lattice_of<const D: usize, K: Kernel<f64>>(
     kernel: &K,
     radius: f64,
-) -> Result<(Vec<Neighbour<D>>, f64), Failure> {
-    let n0 = ReferenceDensity::lattice::<K, D>(kernel, 1.0, radius)?.n0;
-    let reach = radius.ceil() as usize;
-    let offsets = lattice([-(reach as f64) - 0.5; D], [2 * reach + 1; D], 1.0);
-    let near = offsets.into_iter().filter(|r: &Vector<f64, D>| r.norm() > 0.5 && r.norm() < radius);
-    let weigh = |offset: Vector<f64, D>| {
-        let (weight, over_r2) = kernel.weight_and_over_r2(offset.norm_squared(), radius);
-        Neighbour { offset, weight, over_r2 }
-    };
-    Ok((near.map(weigh).collect(), n0))
+) -> Result<LatticeWaves<D>, Failure> {
+    Ok(LatticeWaves::new(kernel, &ReferenceDensity::lattice::<K, D>(kernel, 1.0, radius)?))
 }
 
 /// The wave vectors that fit a periodic box of `side` spacings, but zero.
@@ -82,28 +53,17 @@ pub(crate) fn waves<const D: usize, K: Kernel<f64>>(
     kernel: &K,
     radius: f64,
     side: usize,
-) -> Result<Vec<Wave>, Failure> {
-    let (neighbours, n0) = neighbours::<D, K>(kernel, radius)?;
-    let factor = D as f64 / n0;
-    let wave = |k: Vector<f64, D>| {
-        let mut kappa = Vector::<f64, D>::zeros();
-        let mut sum = 0.0;
-        for Neighbour { offset: r, over_r2, .. } in &neighbours {
-            kappa += r * (factor * over_r2 * k.dot(r).sin());
-            sum += 2.0 * factor * over_r2 * (1.0 - k.dot(r).cos());
-        }
-        let slope = kappa.norm_squared();
-        Wave { slope, filter: sum - slope }
-    };
-    Ok(vectors(side).map(wave).collect())
+) -> Result<Vec<WaveSymbols>, Failure> {
+    let lattice = lattice_of::<D, K>(kernel, radius)?;
+    Ok(vectors(side).map(|k| lattice.symbols(&k)).collect())
 }
 
 /// The value up to which all waves are stable, between 0 and 100.
-pub(crate) fn border(waves: &[Wave], step: impl Fn(f64) -> Step) -> f64 {
+pub(crate) fn border(waves: &[WaveSymbols], step: impl Fn(f64) -> Step) -> f64 {
     let (mut stable, mut unstable) = (0.0, 100.0);
     for _ in 0..60 {
         let middle = 0.5 * (stable + unstable);
-        if waves.iter().all(|wave| wave.is_stable(step(middle))) {
+        if waves.iter().all(|wave| is_stable(wave, step(middle))) {
             stable = middle
         } else {
             unstable = middle

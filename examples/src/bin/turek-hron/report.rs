@@ -5,7 +5,7 @@ use crate::reference::{SOURCE, Swing};
 use crate::setup::{Channel, Settings};
 use mps_examples::harmonics::harmonic;
 use mps_examples::series::extremes;
-use mps_examples::{Failure, enter_results};
+use mps_examples::{Failure, enter_compressibility, enter_results};
 use mps_io::{CurvePlot, Metric, Summary};
 use mps_kernel::Real;
 use std::path::Path;
@@ -84,6 +84,7 @@ pub(crate) fn summary<T: Real>(settings: &Settings, scene: &Channel<T>, observer
     }
     let residual = Metric::new(scene.budget().residual.to_double(), "-");
     enter_results(&mut summary, [("interface_momentum_residual".to_owned(), Some(residual))]);
+    enter_compressibility(&mut summary, scene.fluid());
     summary
 }
 

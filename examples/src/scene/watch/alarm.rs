@@ -4,7 +4,7 @@ use super::super::units;
 use super::measure::Measures;
 use super::particle::Particle;
 use super::ring::{Ring, Step};
-use mps_io::scene_file::Watch;
+use mps_io::scene_file::{OnMach, Watch};
 use thiserror::Error;
 
 /// Why a run is stopped that could go on.
@@ -28,6 +28,12 @@ pub(super) enum Alarm {
          {particle}: reduce cfl, or allow what walls and inlets bring"
     )]
     Energy { particle: Particle, step: u64, time: f64, rise: f64, allowed: f64, unit: &'static str },
+    /// The fluid is too fast for its speed of sound.
+    #[error(
+        "{particle} is {mach:.3} times as fast as sound after step {step}, at t = {time:e} s, where `watch.mach` of the scene allows {allowed}: raise the \
+         sound speed to ten times the largest velocity, or allow more"
+    )]
+    TooFast { particle: Particle, step: u64, time: f64, mach: f64, allowed: f64 },
     /// A particle has left the region.
     #[error(
         "{particle} has left the region of `watch.region` in step {step}, to t = {time:e} s: look for a gap or a wall that is too thin, or make the \
@@ -43,6 +49,7 @@ impl Alarm {
             Self::NotFinite { particle, .. }
             | Self::Collapsed { particle, .. }
             | Self::Energy { particle, .. }
+            | Self::TooFast { particle, .. }
             | Self::Escaped { particle, .. } => *particle,
         }
     }
@@ -69,7 +76,19 @@ impl Alarm {
                 return Some(Self::Energy { particle: fastest, step, time, rise, allowed, unit });
             }
         }
+        if watch.on_mach == OnMach::Stop
+            && let Some(alarm) = Self::of_speed(now, measures, watch)
+        {
+            return Some(alarm);
+        }
         measures.outside.map(|particle| Self::Escaped { particle, step, time })
+    }
+
+    /// Whether the fluid is too fast, alarming or not.
+    pub(super) fn of_speed(now: &Step, measures: &Measures, watch: &Watch) -> Option<Self> {
+        let ((particle, mach), allowed) = (measures.mach, watch.mach);
+        let too_fast = Self::TooFast { particle, step: now.count, time: now.time, mach, allowed };
+        (mach > allowed).then_some(too_fast)
     }
 }
 
@@ -81,6 +100,7 @@ mod tests {
         kinetic: 1.0,
         fastest: (Particle::Fluid(7), 2.0),
         pressure: (8, 3.0),
+        mach: (Particle::Fluid(7), 0.2),
         broken: None,
         outside: None,
     };
@@ -110,6 +130,12 @@ mod tests {
         let particle = Particle::Solid { body: 1, id: 3 };
         let outside = Measures { outside: Some(particle), ..CALM };
         assert_eq!(after(1.0, 5.0, &outside, &watch), Some(Alarm::Escaped { particle, step, time }));
+        let fast = Measures { mach: (Particle::Fluid(7), 0.4), ..CALM };
+        assert_eq!(after(1.0, 5.0, &fast, &watch), None);
+        let stop = Watch { on_mach: OnMach::Stop, ..watch.clone() };
+        let too_fast = Alarm::TooFast { particle: Particle::Fluid(7), step, time, mach: 0.4, allowed: 0.3 };
+        assert_eq!(after(1.0, 5.0, &fast, &stop), Some(too_fast));
+        assert_eq!(after(1.0, 5.0, &CALM, &stop), None);
         // The first reason is the one to tell.
         let broken = Measures { broken: Some(Particle::Fluid(2)), ..outside };
         let (particle, all) = (Particle::Fluid(2), after(0.001, 9.0, &broken, &watch));

@@ -4,6 +4,7 @@ use super::super::World;
 use super::alarm::Alarm;
 use super::measure::Measures;
 use super::pace::{Pace, Setback};
+use super::remarks::Remarks;
 use super::ring::{Ring, Step};
 use crate::Failure;
 use mps_io::scene_file::Watch;
@@ -25,8 +26,7 @@ pub(in crate::scene) struct Guard {
     watch: Watch,
     ring: Ring,
     pace: Pace,
-    /// What has been passed by a retry, for the summary: a line each.
-    passed: String,
+    remarks: Remarks,
     /// The last two good states, the older one first: going back to it leaves as many steps as are remembered, at least.
     good: [Option<Good>; 2],
 }
@@ -34,8 +34,8 @@ pub(in crate::scene) struct Guard {
 impl Guard {
     pub(in crate::scene) fn new(watch: &Watch) -> Self {
         let ring = Ring::new(watch.steps as usize);
-        let (pace, passed) = (Pace::default(), String::new());
-        Self { watch: watch.clone(), ring, pace, passed, good: [None, None] }
+        let (pace, remarks) = (Pace::default(), Remarks::default());
+        Self { watch: watch.clone(), ring, pace, remarks, good: [None, None] }
     }
 
     /// The last steps.
@@ -45,7 +45,7 @@ impl Guard {
 
     /// Remarks for the summary.
     pub(in crate::scene) fn notes(&self) -> impl Iterator<Item = String> {
-        self.passed.lines().map(str::to_owned)
+        self.remarks.lines.lines().map(str::to_owned)
     }
 
     /// Takes note of a step that has led to the present state.
@@ -71,6 +71,12 @@ impl Guard {
         let collapse = self.watch.collapse * 0.5_f64.powi(self.pace.halvings as i32);
         let alarm =
             Alarm::after::<D>(&step, &measures, &self.ring, &Watch { collapse, ..self.watch.clone() });
+        if alarm.is_none()
+            && !self.remarks.too_fast
+            && let Some(warning) = Alarm::of_speed(&step, &measures, &self.watch)
+        {
+            self.remarks.warn(&warning);
+        }
         self.ring.push(step);
         alarm.map_or(Ok(()), |alarm| Err(alarm.into()))
     }
@@ -98,7 +104,7 @@ impl Guard {
     pub(in crate::scene) fn setback(&self, failed: u64, from: u64, substeps: usize) -> Option<Setbacks> {
         let setback = Setback { failed, from, substeps: substeps as u64 };
         let pace = self.pace.after(setback, self.watch.on_failure)?;
-        Some(Setbacks { pace, passed: self.passed.clone() })
+        Some(Setbacks { pace, remarks: self.remarks.clone() })
     }
 
     /// Begins again at a state that has been brought back.
@@ -106,15 +112,16 @@ impl Guard {
         &mut self,
         world: &mut World<T, D, K>,
         good: Good,
-        Setbacks { pace, passed }: Setbacks,
+        Setbacks { pace, remarks }: Setbacks,
         failure: &Failure,
     ) -> Result<(), Failure> {
         self.pace = pace;
         let time = world.time();
         let what = failure.to_string().replace('\n', " ");
         tracing::warn!(time, tries = pace.tries, halvings = pace.halvings, "goes back after: {what}");
-        self.passed = format!(
-            "{passed}retry {}: went back to t = {time:e} s, with {} of the Courant number until step {}, after: {what}\n",
+        self.remarks = remarks;
+        self.remarks.lines += &format!(
+            "retry {}: went back to t = {time:e} s, with {} of the Courant number until step {}, after: {what}\n",
             pace.tries,
             0.5_f64.powi(pace.halvings as i32),
             pace.until
@@ -147,34 +154,32 @@ impl Guard {
 
     /// Pace, last steps and remarks, as they are kept while a failure is gone through again.
     pub(in crate::scene) fn memory(&self) -> Memory {
-        Memory { pace: self.pace, ring: self.ring.clone(), passed: self.passed.clone() }
+        Memory { pace: self.pace, ring: self.ring.clone(), remarks: self.remarks.clone() }
     }
 
     /// Brings them back.
     pub(in crate::scene) fn remember(&mut self, memory: Memory) {
-        let Memory { pace, ring, passed } = memory;
-        (self.pace, self.ring, self.passed) = (pace, ring, passed);
+        let Memory { pace, ring, remarks } = memory;
+        (self.pace, self.ring, self.remarks) = (pace, ring, remarks);
     }
 
     pub(in crate::scene) fn transfer(&mut self, transfer: &mut Transfer<'_>) {
-        let Self { watch: _, ring, pace, passed, good: _ } = self;
+        let Self { watch: _, ring, pace, remarks, good: _ } = self;
         ring.transfer(transfer);
         pace.transfer(transfer);
-        let mut bytes = core::mem::take(passed).into_bytes();
-        transfer.list("passed", &mut bytes);
-        *passed = String::from_utf8_lossy(&bytes).into_owned();
+        remarks.transfer(transfer);
     }
 }
 
 /// Pace and remarks of a run that goes back, which must outlast the state that is brought back.
 pub(in crate::scene) struct Setbacks {
     pace: Pace,
-    passed: String,
+    remarks: Remarks,
 }
 
 /// Pace, last steps and remarks at a failure, which must outlast the state that is brought back to examine it.
 pub(in crate::scene) struct Memory {
     pace: Pace,
     ring: Ring,
-    passed: String,
+    remarks: Remarks,
 }

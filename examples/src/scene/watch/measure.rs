@@ -15,6 +15,8 @@ pub(super) struct Measures {
     pub(super) fastest: (Particle, f64),
     /// The fluid particle with the largest pressure, and that \[Pa\].
     pub(super) pressure: (u32, f64),
+    /// The fastest particle of the fluid, and its speed over that of sound \[-\].
+    pub(super) mach: (Particle, f64),
     /// The first particle with a value that is no number.
     pub(super) broken: Option<Particle>,
     /// The first particle outside the region of the scene.
@@ -95,7 +97,7 @@ impl Measures {
         parallel: &Parallel,
     ) -> Self {
         let Some(fluid) = world.fluid() else {
-            return Self::from_parts(&Part::<T>::nothing(), &[], 0.0);
+            return Self::from_parts(&Part::<T>::nothing(), &[], 0.0, 1.0);
         };
         let particles = fluid.particles();
         let one = |i: usize| {
@@ -112,19 +114,21 @@ impl Measures {
             }
         };
         let sum = parallel.fold(particles.id.len(), Part::nothing(), &one, &Part::with);
-        Self::from_parts(&sum, &particles.id, fluid.config().particle_mass().to_double())
+        let config = fluid.config();
+        let (mass, sound) = (config.particle_mass().to_double(), config.sound_speed.to_double());
+        Self::from_parts(&sum, &particles.id, mass, sound)
     }
 
-    fn from_parts<T: Real>(part: &Part<T>, id: &[u32], mass: f64) -> Self {
+    fn from_parts<T: Real>(part: &Part<T>, id: &[u32], mass: f64, sound: f64) -> Self {
         let number = |place: u32| id.get(place as usize).copied();
         let particle = |place: u32| number(place).map(Particle::Fluid);
         let (fastest, pressure) = (part.fastest, part.pressure);
+        let swift = particle(fastest.1).unwrap_or(Particle::Fluid(0));
+        let speed = particle(fastest.1).map_or(0.0, |_| fastest.0.to_double().sqrt());
         Self {
             kinetic: 0.5 * mass * part.square.to_double(),
-            fastest: (
-                particle(fastest.1).unwrap_or(Particle::Fluid(0)),
-                particle(fastest.1).map_or(0.0, |_| fastest.0.to_double().sqrt()),
-            ),
+            fastest: (swift, speed),
+            mach: (swift, speed / sound),
             pressure: (
                 number(pressure.1).unwrap_or(0),
                 number(pressure.1).map_or(0.0, |_| pressure.0.to_double()),

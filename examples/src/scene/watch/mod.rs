@@ -7,6 +7,7 @@
 //! | `ring` | the last steps |
 //! | `alarm` | what is wrong with a state although the step had no error |
 //! | `pace` | shorter steps after a failure, and when they end |
+//! | `remarks` | what is to be said about a run that goes on |
 //! | `guard` | all of this together, and the last good states |
 //! | `post_mortem` | what is found out about a failure, and where it is written |
 //! | `report`, `table`, `picture` | its words, their tables, and the place of the failure |
@@ -18,6 +19,7 @@ mod pace;
 mod particle;
 mod picture;
 mod post_mortem;
+mod remarks;
 mod report;
 mod ring;
 mod table;

@@ -146,6 +146,7 @@ pub(super) fn limits<T: Real>(step: &StepExplanation<T>) -> String {
         row("sound", limits.sound, format!("fluid particle {fastest}, {} m/s", of(v))),
         row("viscosity", limits.viscosity, String::new()),
         row("acceleration", limits.acceleration, format!("fluid particle {driven}, {} m/s2", of(a))),
+        row("diffusion", limits.diffusion, String::new()),
     ];
     table(&["limit", "step [s]", "by", ""], rows)
 }

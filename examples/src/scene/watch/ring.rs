@@ -29,8 +29,8 @@ pub(super) struct Step {
 /// Numbers of a step.
 const NUMBERS: usize = 11;
 
-const LIMITS: [Option<Limit>; 4] =
-    [None, Some(Limit::Sound), Some(Limit::Viscosity), Some(Limit::Acceleration)];
+const LIMITS: [Option<Limit>; 5] =
+    [None, Some(Limit::Sound), Some(Limit::Viscosity), Some(Limit::Acceleration), Some(Limit::Diffusion)];
 
 impl Step {
     pub(super) fn new(
