@@ -283,6 +283,18 @@ fn a_run_passes_with_shorter_steps_what_stops_it_otherwise() {
     assert!(one == other && retries(&again) == tries);
 }
 
+/// The fluid takes shorter steps than this Courant number asks for, and half of it would be the same steps again.
+#[test]
+fn a_retry_halves_the_steps_that_were_taken() {
+    let scene = water("capped", &unstable("2.0"), "");
+    let dir = fresh("post-mortem", "capped");
+    let run = ["run", scene.to_str().unwrap(), "--on-failure", "retry", "--quiet", "--threads", "1"];
+    execute(MPS, &dir, &run);
+    let failures: Vec<_> =
+        retries(&dir).iter().map(|note| note.split_once("after: ").unwrap().1.to_owned()).collect();
+    assert!(!failures.is_empty() && failures.windows(2).all(|pair| pair[0] != pair[1]), "{failures:?}");
+}
+
 /// Shorter steps are part of the state: a run that is stopped while it makes them makes them when it is resumed.
 #[test]
 fn a_run_that_goes_on_within_shorter_steps_has_the_same_bits() {

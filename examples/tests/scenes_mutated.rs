@@ -5,7 +5,8 @@ use mps_examples::scene::Examined;
 use mps_io::scene_file::{Source, parse};
 use proptest::prelude::*;
 
-const SCENES: [&str; 5] = [
+const SCENES: [&str; 6] = [
+    include_str!("../scenes/dam-break-3d.toml"),
     include_str!("../scenes/two-reservoirs.toml"),
     include_str!("../scenes/heavy-beam.toml"),
     include_str!("../scenes/falling-drop.toml"),

@@ -22,7 +22,7 @@ pub enum Diffusion<T> {
     None,
     /// The filter of fourth order of eqs. 19 and 20, which leaves linear and quadratic fields alone.
     Filter {
-        /// Coefficient `delta`. The larger, the shorter a step may be, in proportion to its inverse root; 0.5 leaves Courant numbers up to about 1.
+        /// Coefficient `delta`. The larger, the shorter a step may be, in proportion to its inverse root; 0.5 leaves Courant numbers up to 0.8 to 1.5, by weight and radius.
         delta: T,
     },
     /// `dt/rho0` times the Laplacian of the pressure less its hydrostatic part (Amaro et al. 2022, eq. 20): without

@@ -16,7 +16,8 @@ pub enum Limit {
     Viscosity,
     /// The largest acceleration, `sqrt(l0/a_max)`.
     Acceleration,
-    /// The density diffusion, `sqrt(2/(delta sigma)) l0/c` with the damping `sigma` of the wave that alternates from particle to particle.
+    /// The stiffest wave of the lattice, which the density diffusion makes stiffer: 0.98 of
+    /// [`Fluid::stable_courant_number`](crate::Fluid::stable_courant_number) times `l0/c`.
     Diffusion,
 }
 

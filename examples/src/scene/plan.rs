@@ -124,7 +124,8 @@ fn listed(scene: &SceneFile) -> Vec<(bool, &'static str, Option<Priced>)> {
         let numerics = &fluid.numerics;
         let artificial = matches!(fluid.viscosity, Viscosity::Artificial(alpha) if alpha > 0.0);
         let laminar = matches!(fluid.viscosity, Viscosity::Laminar(nu) | Viscosity::Compact(nu) if nu > 0.0);
-        let sticky = scene.walls.iter().any(|wall| wall.slip == Slip::None);
+        let slips = scene.walls.iter().map(|wall| wall.slip).chain(scene.fixed.iter().map(|body| body.slip));
+        let sticky = slips.into_iter().any(|slip| slip == Slip::None);
         let diffusion = match numerics.diffusion {
             Diffusion::Hydrostatic => "hydrostatic-diffusion",
             _ => "filter-diffusion",
@@ -136,7 +137,7 @@ fn listed(scene: &SceneFile) -> Vec<(bool, &'static str, Option<Priced>)> {
             (laminar && sticky, "walls without slip", Some(Priced("no-slip", "walls+laminar-viscosity"))),
             (numerics.diffusion != Diffusion::None, "density diffusion", alone(diffusion)),
             (numerics.collisions, "collisions (DPC)", alone("collisions")),
-            (numerics.shifting > 0, "shifting (icPS), each part", alone("shifting")),
+            (numerics.shifting > 0, "shifting (icPS)", alone("shifting")),
             (numerics.background_pressure > 0.0, "background pressure", None),
             (numerics.pressure_form == PressureForm::Corrected, "corrected sums", alone("corrected-sums")),
             (numerics.density_relaxation > 0.0, "density relaxation", alone("density-relaxation")),

@@ -41,15 +41,18 @@ pub(super) fn prices(dimension: usize, active: &[(&str, Priced)]) -> String {
     // Writing into a String cannot fail.
     let _ = writeln!(
         text,
-        "price          by the table (f64, docs/performance.md), a particle of fluid and step: {:.0} instructions and {:.0} bytes for the bare fluid",
+        "price          by the table (f64, rational weight, radius 3, docs/performance.md), a particle of fluid and step: {:.0} instructions and {:.0} bytes for the bare fluid",
         bare.instructions, bare.bytes
     );
     for (what, Priced(name, base)) in active {
         if let (Some(with), Some(without)) = (price(dimension, name), price(dimension, base)) {
             let (instructions, bytes) =
                 (with.instructions - without.instructions, with.bytes - without.bytes);
-            let _ =
-                writeln!(text, "               {instructions:+.0} instructions, {bytes:+.0} bytes: {what}");
+            let each = if *name == "shifting" { ", each part" } else { "" };
+            let _ = writeln!(
+                text,
+                "               {instructions:+.0} instructions, {bytes:+.0} bytes: {what}{each}"
+            );
         }
     }
     let _ = writeln!(text, "               what is absent takes none in the loops over pairs");
@@ -87,6 +90,8 @@ mod tests {
                 );
             }
         }
+        // By position, so that another order must not pass unnoticed.
+        assert!(TABLE.lines().any(|line| line == "subject,debug,release,bytes"));
         let text = prices(2, &[("collisions (DPC)", Priced::alone("collisions"))]);
         assert!(text.lines().count() == 3 && text.contains(" bytes: collisions (DPC)\n"), "{text}");
     }

@@ -104,7 +104,10 @@ impl<T: Real, const D: usize, K: Kernel<T>> World<T, D, K> {
         match self {
             Self::Wet(wet) => {
                 let share = T::of(0.5_f64.powi(halvings as i32));
-                wet.scene.fluid_mut().set_courant_number(wet.cfl * share)?;
+                // Half of the step it takes, which may be shorter than the one that is asked for.
+                let stable = wet.scene.fluid().stable_courant_number();
+                let cfl = if halvings == 0 { wet.cfl } else { wet.cfl.min(stable) };
+                wet.scene.fluid_mut().set_courant_number(cfl * share)?;
                 wet.scene.min_substeps = substeps.max(1);
             }
             Self::Dry(dry) => dry.halvings = halvings,

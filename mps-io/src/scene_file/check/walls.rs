@@ -22,7 +22,8 @@ impl Checker<'_> {
         let before = self.problems.len();
         self.corners(&tank.inside(), key);
         if self.problems.len() == before {
-            self.cells(&tank.inside(), spacing, key);
+            // Its walls are cells too: as deep as the fluid can see, ten of their spacings and less.
+            self.cells(&tank.outside(10.0 * spacing), spacing, key);
         }
         self.sides(&tank.open, &format!("{key}.open"));
         let closed = tank.open.len() < 2 * self.dimension;

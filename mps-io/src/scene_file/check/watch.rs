@@ -14,7 +14,7 @@ impl Checker<'_> {
         self.within(f64::from(*steps), [1.0, MOST_STEPS], "watch.steps", "give 1 to 10000 steps, usually 50");
         let remedy = "give a share from 0 to 0.5, usually 0.01, or 0 for not watched";
         self.within(*collapse, [0.0, 0.5], "watch.collapse", remedy);
-        let remedy = "give the largest rise in a step in J/m, or leave it out";
+        let remedy = "give the largest rise in a step (J, in two dimensions J/m), or leave it out";
         self.positive(energy_rise.unwrap_or(1.0), "watch.energy_rise", remedy);
         self.positive(*mach, "watch.mach", "give a speed over that of sound, usually 0.3");
         if let Some(region) = region {

@@ -53,9 +53,9 @@ fn from_text(text: &str) -> Result<Vec<Triangle>, Fault> {
         let mut words = line.split_whitespace();
         match words.next() {
             Some("vertex") => {
-                let numbers: Vec<f64> =
-                    words.filter_map(|word| word.parse().ok()).filter(|x: &f64| x.is_finite()).collect();
-                let &[x, y, z] = numbers.as_slice() else {
+                let numbers: Option<Vec<f64>> =
+                    words.map(|word| word.parse().ok().filter(|x: &f64| x.is_finite())).collect();
+                let Some(&[x, y, z]) = numbers.as_deref() else {
                     return Err((format!("has a corner without three numbers in line {}", k + 1), WANTED));
                 };
                 corners.push([x, y, z]);
@@ -111,6 +111,13 @@ mod tests {
             fault(TEXT.replace("1 0 -2e0", "1 0 x").as_bytes()),
             "has a corner without three numbers in line 5"
         );
+        // A word between numbers is no number that could be left out.
+        for corner in ["1 x 0 -2e0", "1 nan 0 -2e0"] {
+            assert_eq!(
+                fault(TEXT.replace("1 0 -2e0", corner).as_bytes()),
+                "has a corner without three numbers in line 5"
+            );
+        }
         assert_eq!(
             fault(TEXT.replace("  vertex 0 .5 0\n", "").as_bytes()),
             "has 2 corners instead of three before line 6"

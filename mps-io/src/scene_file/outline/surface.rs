@@ -158,6 +158,65 @@ mod tests {
         assert_eq!(surface.bounds(), Corners::between([-0.9, -1.2, -0.7], [1.1, 0.8, 1.3]));
     }
 
+    /// A prism cut from a cube along `y + z = s`, its slanted face of triangles whose corners at one end are not those at the other:
+    /// rays along x run within them.
+    fn wedge(s: f64) -> Vec<Triangle> {
+        let place = |x: f64, t: f64| [x, s * (1.0 - t), s * t];
+        let (near, far) = ([0.0, 0.37, 1.0], [0.0, 0.17, 0.71, 1.0]);
+        let mut triangles: Vec<Triangle> = Vec::new();
+        let mut face = |a: [f64; 3], b: [f64; 3], c: [f64; 3]| triangles.push([a, b, c].into());
+        let square = |x: f64| [[x, 0.0, 0.0], [x, s, 0.0], [x, s, s], [x, 0.0, s]];
+        // At x = 0 the whole square, at s/2 its upper half, at s the lower one.
+        let [a, b, c, d] = square(0.0);
+        face(a, c, b);
+        face(a, d, c);
+        for k in 0..2 {
+            face([0.5 * s, s, s], place(0.5 * s, near[k + 1]), place(0.5 * s, near[k]));
+        }
+        for k in 0..3 {
+            face([s, 0.0, 0.0], place(s, far[k]), place(s, far[k + 1]));
+        }
+        // The slanted face between the two cuts.
+        let (mut i, mut j) = (0, 0);
+        while i < 2 || j < 3 {
+            let (p, q) = (place(0.5 * s, near[i]), place(s, far[j]));
+            if i < 2 && (j == 3 || near[i + 1] <= far[j + 1]) {
+                face(p, place(0.5 * s, near[i + 1]), q);
+                i += 1;
+            } else {
+                face(p, place(s, far[j + 1]), q);
+                j += 1;
+            }
+        }
+        // Bottoms and sides, whole up to s, or up to s/2 where the upper half ends.
+        let [p, q] = [[0.0, 0.0, 0.0], [s, 0.0, 0.0]];
+        face(p, [0.0, s, 0.0], [0.5 * s, s, 0.0]);
+        face(p, [0.5 * s, s, 0.0], [s, s, 0.0]);
+        face(p, [s, s, 0.0], q);
+        face(p, q, [s, 0.0, s]);
+        face(p, [s, 0.0, s], [0.5 * s, 0.0, s]);
+        face(p, [0.5 * s, 0.0, s], [0.0, 0.0, s]);
+        face([0.0, s, 0.0], [0.0, s, s], [0.5 * s, s, s]);
+        face([0.0, s, 0.0], [0.5 * s, s, s], [0.5 * s, s, 0.0]);
+        face([0.0, 0.0, s], [0.5 * s, 0.0, s], [0.5 * s, s, s]);
+        face([0.0, 0.0, s], [0.5 * s, s, s], [0.0, s, s]);
+        triangles
+    }
+
+    #[test]
+    fn points_in_the_plane_of_a_face_that_is_seen_edge_on_are_inside() {
+        for s in [0.3, 0.7, 1.0] {
+            let surface = Surface::new(wedge(s)).unwrap();
+            for k in 0..40 {
+                let share = (f64::from(k) + 0.5) / 40.0;
+                for (x, within) in [(0.1, true), (0.4, true), (-0.1, false), (1.1, false)] {
+                    let point = [x * s, s * (1.0 - share), s * share];
+                    assert_eq!(surface.contains(point, 1e-9), within, "{point:?}");
+                }
+            }
+        }
+    }
+
     #[test]
     fn holes_and_triangles_that_are_turned_are_told_with_their_place() {
         let fault = |change: &dyn Fn(&mut Vec<Triangle>)| {

@@ -36,12 +36,20 @@ impl Triangle {
     }
 
     /// How often a ray from `r` along x goes out through it: 1, -1 for in, 0 for not at all.
+    ///
+    /// The plane across z through `r` cuts it from one side to another one. Each end is computed of its side alone, so that those of all
+    /// triangles make closed lines, to which a triangle seen edge-on belongs like any other.
     pub(super) fn crossed_by_a_ray(&self, r: &Place) -> i32 {
-        let normal = self.normal();
-        // Seen along x: a point is inside if a ray from it along y crosses an odd number of sides.
-        let odd = self.sides().into_iter().filter(|side| is_below(r, *side)).count() % 2 == 1;
-        let ahead = (self.corners[0] - r).dot(&normal) / normal.x;
-        if odd && ahead > 0.0 { if normal.x > 0.0 { 1 } else { -1 } } else { 0 }
+        let (mut up, mut down) = (None, None);
+        for side in self.sides() {
+            let end = if side[0].z > r.z { &mut down } else { &mut up };
+            *end = at_height(r.z, side).or(*end);
+        }
+        let (Some([x, y]), Some([x_down, y_down])) = (up, down) else { return 0 };
+        if (y > r.y) == (y_down > r.y) || x + (x_down - x) * ((r.y - y) / (y_down - y)) <= r.x {
+            return 0;
+        }
+        if y > r.y { 1 } else { -1 }
     }
 
     /// Whether a point is at most this far away \[m\].
@@ -63,11 +71,14 @@ impl Triangle {
     }
 }
 
-/// Whether a ray from a point along y crosses a side, seen along x. Of two triangles that share the side both get the same answer,
-/// because it is always computed from the same end; an end belongs to the part of the side above it.
-fn is_below(r: &Place, [a, b]: [Place; 2]) -> bool {
-    let [a, b] = if (a.z, a.y) <= (b.z, b.y) { [a, b] } else { [b, a] };
-    (a.z > r.z) != (b.z > r.z) && r.y < a.y + (b.y - a.y) * (r.z - a.z) / (b.z - a.z)
+/// x and y where a side passes this height, the same for both triangles that share it; an end belongs to the part of the side above it.
+fn at_height(z: f64, [a, b]: [Place; 2]) -> Option<[f64; 2]> {
+    if (a.z > z) == (b.z > z) {
+        return None;
+    }
+    let [a, b] = if a.z < b.z { [a, b] } else { [b, a] };
+    let share = (z - a.z) / (b.z - a.z);
+    Some([a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share])
 }
 
 /// Distance to a side \[m\].
