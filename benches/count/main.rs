@@ -1,13 +1,4 @@
 //! Counts the instructions of every sweep and of whole steps, and says what each physics costs.
-//!
-//! ```text
-//! count list                  the names of what is counted
-//! count run NAME STEPS        does it so many times: for valgrind, or any other profiler
-//! count show NAME             its instructions a particle and step, and in which files they are spent
-//! count check                 counts everything and fails if something differs by more than 2 % from benches/counts.csv
-//! count store                 counts everything and writes benches/counts.csv, the column of this profile
-//! count prices                measures the time of everything and writes the tables of docs/performance.md
-//! ```
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program that prints")]
 
@@ -15,6 +6,7 @@ mod check;
 mod memory;
 mod prices;
 
+use clap::{Parser, Subcommand};
 use fearless_simd::Level;
 use mps_benches::counting::{Entry, entries, per_step};
 use std::error::Error;
@@ -22,10 +14,42 @@ use std::process::ExitCode;
 
 type Failure = Box<dyn Error>;
 
+/// Instructions of every sweep and of whole steps, counted by valgrind, and what each physics costs.
+#[derive(Parser)]
+#[command(version)]
+struct Options {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// The names of what is counted
+    List,
+    /// The vector instructions the sweeps choose here
+    Level,
+    /// Does one of them so many times: for valgrind, or any other profiler
+    Run {
+        /// Its name
+        name: String,
+        /// How many steps
+        steps: usize,
+    },
+    /// Its instructions a particle and step, and in which files they are spent
+    Show {
+        /// Its name
+        name: String,
+    },
+    /// Counts everything and fails if something differs by more than 2 % from benches/counts.csv
+    Check,
+    /// Counts everything and writes benches/counts.csv, the column of this profile
+    Store,
+    /// Measures the time of everything and writes the tables of docs/performance.md
+    Prices,
+}
+
 fn main() -> ExitCode {
-    let words: Vec<String> = std::env::args().skip(1).collect();
-    let words: Vec<&str> = words.iter().map(String::as_str).collect();
-    match obey(&words) {
+    match obey(Options::parse().task) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             eprintln!("error: {failure}");
@@ -34,16 +58,15 @@ fn main() -> ExitCode {
     }
 }
 
-fn obey(words: &[&str]) -> Result<(), Failure> {
-    match *words {
-        ["list"] => entries().iter().for_each(|entry| println!("{}", entry.name)),
-        ["level"] => println!("{}", level()),
-        ["run", name, steps] => run(name, steps.parse()?)?,
-        ["show", name] => show(name)?,
-        ["check"] => check::check()?,
-        ["store"] => check::store()?,
-        ["prices"] => prices::write()?,
-        _ => return Err("expected list, run NAME STEPS, show NAME, check, store or prices".into()),
+fn obey(task: Task) -> Result<(), Failure> {
+    match task {
+        Task::List => entries().iter().for_each(|entry| println!("{}", entry.name)),
+        Task::Level => println!("{}", level()),
+        Task::Run { name, steps } => run(&name, steps)?,
+        Task::Show { name } => show(&name)?,
+        Task::Check => check::check()?,
+        Task::Store => check::store()?,
+        Task::Prices => prices::write()?,
     }
     Ok(())
 }

@@ -61,7 +61,7 @@ pub(super) fn prices(dimension: usize, active: &[(&str, Priced)]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Priced, price, prices};
+    use super::{Priced, TABLE, price, prices};
 
     #[test]
     fn every_price_of_a_plan_is_in_the_table() {
