@@ -74,6 +74,15 @@ impl Refused {
     ) -> Result<(), Self> {
         if good { Ok(()) } else { Err(Self { flag, value: value.to_string(), remedy: remedy.into() }) }
     }
+
+    /// Refuses more `--shifting` than anybody wants: each part costs a sweep over all particles.
+    ///
+    /// # Errors
+    /// If it is more than 100 parts.
+    pub fn unless_few_shifts(parts: u32) -> Result<(), Self> {
+        let remedy = "give the number of parts of a shift, 5 in the paper, or 0 for no shifting";
+        Self::unless(parts <= 100, "--shifting", parts, remedy)
+    }
 }
 
 impl Common {

@@ -61,6 +61,8 @@ impl<T: Real, const D: usize> Rates<T, D> {
             self.resize_packing(len);
         }
     }
+
+    /// Room for the packing and its asymmetry, which whoever measures them asks for.
     pub(crate) fn resize_packing(&mut self, len: usize) {
         self.packing.resize(len, T::zero());
         self.asymmetry.resize(len, Vector::zeros());

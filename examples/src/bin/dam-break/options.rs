@@ -150,12 +150,7 @@ impl Options {
             self.alpha,
             "give a strength between 0 and 10, e.g. 0.02",
         )?;
-        Refused::unless(
-            self.shifting <= 100,
-            "--shifting",
-            self.shifting,
-            "each part costs a sweep over all particles; give at most 100, usual is 5",
-        )?;
+        Refused::unless_few_shifts(self.shifting)?;
         self.common.check()?;
         Ok(Settings {
             spacing: l0,

@@ -185,12 +185,7 @@ impl Options {
             self.alpha,
             "give a strength of 0 or more, e.g. 0.02",
         )?;
-        Refused::unless(
-            self.shifting <= 100,
-            "--shifting",
-            self.shifting,
-            "give the number of parts of a shift, 5 in the paper, or 0 for no shifting",
-        )?;
+        Refused::unless_few_shifts(self.shifting)?;
         let radius = self.radius.unwrap_or_else(|| self.weight.radius());
         let usual = "give an effective radius between 2 and 6 spacings, e.g. 3";
         Refused::unless((2.0..=6.0).contains(&radius), "--radius", radius, usual)?;

@@ -127,12 +127,7 @@ impl Options {
             self.diffusion,
             "give a strength between 0 and 2, usual is 0.5",
         )?;
-        Refused::unless(
-            self.shifting <= 100,
-            "--shifting",
-            self.shifting,
-            "give the number of parts of a shift, 5 in the paper, or 0 for no shifting",
-        )?;
+        Refused::unless_few_shifts(self.shifting)?;
         Refused::unless(
             (0.0..=0.03).contains(&self.relaxation),
             "--relaxation",
