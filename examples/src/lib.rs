@@ -13,6 +13,7 @@ mod log;
 mod milestones;
 mod noise;
 mod piston;
+pub mod poiseuille;
 mod preset;
 mod recording;
 mod released_column;

@@ -2,9 +2,9 @@
 
 use crate::border::{Border, Breaks};
 use crate::water::thrown;
-use core::f64::consts::PI;
 use mps_examples::Failure;
 use mps_examples::basin::lattice;
+use mps_examples::poiseuille::from_rest;
 use mps_fluid::{
     Boundary, Fluid, FluidConfig, FluidParticles, LaminarViscosity, Limit, PressureForm, Shifting, Slip,
     Tension,
@@ -15,15 +15,6 @@ use mps_neighbors::{Parallel, PeriodicBox};
 
 /// Particles across the channel, and along its period.
 const ACROSS: usize = 10;
-
-/// `u/u_max` of the flow between two walls from rest, at the height `y` and the time `t` over `L^2/nu`.
-fn from_rest(y: f64, t: f64) -> f64 {
-    let term = |n: i32| {
-        let k = f64::from(2 * n + 1) * PI;
-        32.0 / k.powi(3) * (k * y).sin() * (-k * k * t).exp()
-    };
-    4.0 * y * (1.0 - y) - (0..50).map(term).sum::<f64>()
-}
 
 /// Error of the profile over its largest speed when a flow from rest between two walls has come to nine tenths of it. Width, largest speed and
 /// density are one. Fails if not the limit has acted that is to act.
@@ -90,15 +81,4 @@ pub(crate) fn borders() -> Vec<Border> {
             ..base
         },
     ]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_flow_from_rest_sticks_to_its_walls_and_comes_to_a_parabola() {
-        assert!(from_rest(0.0, 0.1).abs() < 1e-12 && from_rest(0.4, 0.0).abs() < 1e-4);
-        assert!((from_rest(0.5, 0.225) - 0.887_984_13).abs() < 1e-8);
-    }
 }

@@ -3,8 +3,8 @@
 use super::measures::rms;
 use super::scene::{NU, WIDTH, advance, channel};
 use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
-use core::f64::consts::PI;
 use mps_examples::Failure;
+use mps_examples::poiseuille::from_rest;
 use mps_fluid::FluidParticles;
 use mps_io::CurvePlot;
 use mps_neighbors::Parallel;
@@ -16,15 +16,6 @@ const SPEED: f64 = 1.0;
 const LOOKS: [f64; 3] = [0.045, 0.225, 1.0];
 const SERIES: &str =
     "analytic: 4 y (L-y)/L^2 - sum over odd n of 32/(pi n)^3 sin(n pi y/L) exp(-n^2 pi^2 nu t/L^2)";
-
-/// `u/u_max` at height `y/L` and time `nu t/L^2`.
-fn exact(y: f64, time: f64) -> f64 {
-    let term = |n: i32| {
-        let k = f64::from(2 * n + 1) * PI;
-        32.0 / k.powi(3) * (k * y).sin() * (-k * k * time).exp()
-    };
-    4.0 * y * (1.0 - y) - (0..100).map(term).sum::<f64>()
-}
 
 /// Mean velocity of the particles of each row, over `speed`, against the height.
 pub(crate) fn profile(particles: &FluidParticles<f64, 2>, across: usize, speed: f64) -> Curve {
@@ -66,14 +57,14 @@ impl Case for Poiseuille {
             let now = fluid.time() * NU / (WIDTH * WIDTH);
             let particles = fluid.particles();
             let u = &particles.velocity;
-            let error = rms(particles, |i| u[i].x / SPEED, |r| exact(r.y / WIDTH, now));
+            let error = rms(particles, |i| u[i].x / SPEED, |r| from_rest(r.y / WIDTH, now));
             outcome.measures.push(Measure::new(metric, "-", error, 0.0, SERIES).within(0.01, 40));
             outcome.curves.push(profile(particles, across, SPEED));
         }
         let flux = fluid.particles().velocity.iter().map(|u| u.x).sum::<f64>()
             / (fluid.particles().velocity.len() as f64 * SPEED);
         let now = fluid.time() * NU / (WIDTH * WIDTH);
-        let exact_flux = (0..1000).map(|k| exact((f64::from(k) + 0.5) * 1e-3, now)).sum::<f64>() * 1e-3;
+        let exact_flux = (0..1000).map(|k| from_rest((f64::from(k) + 0.5) * 1e-3, now)).sum::<f64>() * 1e-3;
         outcome.measures.push(Measure::new("mean velocity at 1", "u_max", flux, exact_flux, SERIES));
         Ok(outcome)
     }
@@ -82,27 +73,9 @@ impl Case for Poiseuille {
         let y: Vec<f64> = (0..=100).map(|k| f64::from(k) * 0.01).collect();
         let axes = CurvePlot::new("Poiseuille flow from rest", "y/L [-]", "u/u_max [-]");
         let axes = LOOKS.iter().fold(axes, |axes, look| {
-            let u: Vec<f64> = y.iter().map(|y| exact(*y, *look)).collect();
+            let u: Vec<f64> = y.iter().map(|y| from_rest(*y, *look)).collect();
             axes.dashed(&format!("exact, ν t/L² = {look}"), &y, &u)
         });
         vec![Plot { name: "profiles", axes }]
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_series_solves_the_problem() {
-        for time in [0.02, 0.1, 0.5] {
-            assert!(exact(0.0, time).abs() < 1e-12 && exact(1.0, time).abs() < 1e-12);
-            let h = 1e-3;
-            let by_time = (exact(0.3, time + 1e-5) - exact(0.3, time - 1e-5)) / 2e-5;
-            let bend = (exact(0.3 + h, time) - 2.0 * exact(0.3, time) + exact(0.3 - h, time)) / (h * h);
-            assert!((by_time - (bend + 8.0)).abs() < 1e-4, "{by_time} and {}", bend + 8.0);
-        }
-        assert!(exact(0.4, 0.0).abs() < 1e-5, "at rest first");
-        assert!((exact(0.5, 0.225) - 0.88798413).abs() < 1e-8);
     }
 }
