@@ -80,7 +80,7 @@ impl Refused {
     /// # Errors
     /// If it is more than 100 parts.
     pub fn unless_few_shifts(parts: u32) -> Result<(), Self> {
-        let remedy = "give the number of parts of a shift, 5 in the paper, or 0 for no shifting";
+        let remedy = "each part costs a sweep over all particles; give at most 100, usual is 5, none 0";
         Self::unless(parts <= 100, "--shifting", parts, remedy)
     }
 }

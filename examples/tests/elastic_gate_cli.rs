@@ -48,7 +48,7 @@ fn what_cannot_be_run_is_refused_with_the_flag_and_a_remedy() {
         ("--sound-ratio", "nan", "usual is 10"),
         ("--alpha", "-0.1", "0.02"),
         ("--alpha", "nan", "0.02"),
-        ("--shifting", "101", "5 in the paper"),
+        ("--shifting", "101", "usual is 5"),
         ("--beside", "nowhere", "an earlier run"),
     ] {
         let dir = fresh("refused");
