@@ -10,7 +10,7 @@ const GATE: &str = env!("CARGO_BIN_EXE_elastic-gate");
 
 /// Largest displacements of the free end \[m\]: Ng et al. 2020 (SPH-VCPM) with 12 MPa and 0.4, as in
 /// the example's `reference.rs`.
-const PUBLISHED: [(&str, f64, f64); 2] = [("gate_x_max", 0.03895, 0.08), ("gate_y_max", 0.01371, 0.15)];
+const PUBLISHED: [(&str, f64, f64); 2] = [("gate_x_max", 0.03895, 0.05), ("gate_y_max", 0.01371, 0.15)];
 
 /// What holds for every gate.
 fn keeps_its_books(summary: &Summary) {

@@ -51,7 +51,7 @@ fn a_preset_is_its_settings() {
         assert!(output.status.success(), "{}", words(&output.stderr));
         words(&output.stdout)
     };
-    let spelled_out = "--spacing 2.5e-3 --radius 2.5 --cfl 0.8 --sound-ratio 7 --precision f32";
+    let spelled_out = "--spacing 2.5e-3 --across 4 --weight rational --radius 2.5 --cfl 0.8 --sound-ratio 7 --precision f32";
     let spelled_out: Vec<&str> = spelled_out.split(' ').collect();
     assert_eq!(printed(&["--preset", "fast", "--sound-ratio", "7"]), printed(&spelled_out));
     assert_ne!(printed(&["--preset", "fast"]), printed(&["--preset", "accurate"]));

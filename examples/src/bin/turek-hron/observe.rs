@@ -25,6 +25,10 @@ const COLUMNS: &[&str] = &[
     "work on flag [J/m]",
     "time step [s]",
     "sub-steps [-]",
+    "impulse on flag x [N s/m]",
+    "impulse on flag y [N s/m]",
+    "angular impulse on flag about the origin [N s]",
+    "of it off the lines of the pairs [N s]",
 ];
 
 /// One row of the record.
@@ -85,6 +89,7 @@ impl<T: Real> Observer<T> {
             &|a, b| (a.0 + b.0, a.1 + b.1, a.2.max(b.2)),
         );
         let (_, bodies) = scene.energy(parallel);
+        let flag = scene.budget().handed.get(FLAG).copied().unwrap_or_default();
         self.csv.row(&[
             time,
             displacement[0],
@@ -100,6 +105,10 @@ impl<T: Real> Observer<T> {
             scene.budget().work().to_double(),
             dt,
             scene.substeps() as f64,
+            flag.push.force.x.to_double(),
+            flag.push.force.y.to_double(),
+            flag.push.moment[(0, 1)].to_double(),
+            flag.off_line[(0, 1)].to_double(),
         ])?;
         Ok(())
     }
