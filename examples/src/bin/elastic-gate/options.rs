@@ -132,7 +132,7 @@ pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
             ("sound-ratio", "5"),
             ("precision", "f32"),
         ],
-        Preset::Balanced => &[("spacing", "2.5e-3")],
+        Preset::Balanced => &[("spacing", "2.5e-3"), ("across", "5")],
         Preset::Accurate => &[("spacing", "1.25e-3")],
     }
 }
