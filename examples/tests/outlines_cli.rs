@@ -39,12 +39,18 @@ const POLYGON: &str = "{ polygon = [[0.0625, 0.0], [0.25, 0.0], [0.125, 0.0625]]
 const FILE: &str = "# x y\n0.125 0\n0.5 0\n0.25 0.125\n";
 const OUTLINE: &str = "{ outline = { file = \"hill.txt\", scale = 0.5 } }";
 
-fn written(name: &str, region: &str) -> PathBuf {
+/// A directory with this file and this scene.
+fn files(name: &str, shape: (&str, &str), scene: &str) -> PathBuf {
     let dir = fresh("outlines", name);
-    std::fs::create_dir_all(&dir).unwrap();
-    std::fs::write(dir.join("hill.txt"), FILE).unwrap();
-    std::fs::write(dir.join("scene.toml"), SCENE.replace(POLYGON, region)).unwrap();
+    let file = dir.join(shape.0);
+    std::fs::create_dir_all(file.parent().unwrap()).unwrap();
+    std::fs::write(file, shape.1).unwrap();
+    std::fs::write(dir.join("scene.toml"), scene).unwrap();
     dir
+}
+
+fn written(name: &str, region: &str) -> PathBuf {
+    files(name, ("hill.txt", FILE), &SCENE.replace(POLYGON, region))
 }
 
 fn run(dir: &Path, flags: &[&str]) -> PathBuf {
@@ -76,12 +82,49 @@ fn a_run_with_a_file_is_that_with_its_shape_and_goes_on_where_the_file_has_gone_
     let last = text.lines().last().unwrap().split(',').nth(2).unwrap();
     assert!(last.parse::<f64>().unwrap().abs() > 1.0, "the hill is hit: {last}");
 
-    let copies = std::fs::read_dir(read.join("outlines")).unwrap().map(|entry| entry.unwrap().path());
-    let copy: Vec<PathBuf> = copies.collect();
-    std::fs::write(&copy[0], FILE.replace("0.25 0.125", "0.25 0.12")).unwrap();
-    let (good, said) = resume(&read, "0.12");
-    assert!(
-        !good && said.contains("fixed[0].region.outline.file") && said.contains("has the checksum "),
-        "{said}"
-    );
+    is_refused_with_another_file(&read, "0.12", ("0.25 0.125", "0.25 0.12"));
+}
+
+/// A run is not resumed after its copy of the file has been changed.
+fn is_refused_with_another_file(run: &Path, end: &str, (from, to): (&str, &str)) {
+    let copies = std::fs::read_dir(run.join("outlines")).unwrap().map(|entry| entry.unwrap().path());
+    let copies: Vec<PathBuf> = copies.collect();
+    assert_eq!(copies.len(), 1, "one file, however many regions are made of it");
+    let text = std::fs::read_to_string(&copies[0]).unwrap();
+    assert!(text.contains(from));
+    std::fs::write(&copies[0], text.replace(from, to)).unwrap();
+    let (good, said) = resume(run, end);
+    assert!(!good && said.contains(".outline.file") && said.contains("has the checksum "), "{said}");
+}
+
+/// The scenes of the gallery with files, in both dimensions, coarser and shorter.
+#[test]
+fn scenes_of_the_gallery_with_files_go_on_with_the_same_bits_and_the_same_files() {
+    let gallery = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    // Rows come at the same times whatever the end.
+    let rows = ("\n[[probes]]", "\n[output]\nprobe_interval = 2e-3\n\n[[probes]]");
+    let pier = ("spacing = 5e-3", "spacing = 1e-2");
+    let (two, three) = (("spacing = 5e-3", "spacing = 1e-2"), ("spacing = 1e-2", "spacing = 2e-2"));
+    let (crest, top) = (("215 150", "210 150"), ("vertex 15 200 15", "vertex 15 190 15"));
+    for (name, shape, changes, [half, end], other_file) in [
+        ("breakwater", "shapes/breakwater.txt", [two, rows].as_slice(), ["0.04", "0.08"], crest),
+        ("pier-3d", "shapes/pier.stl", &[three, rows, pier], ["0.02", "0.04"], top),
+    ] {
+        let shape = (shape, std::fs::read_to_string(gallery.join(shape)).unwrap());
+        let mut scene = std::fs::read_to_string(gallery.join(name).with_extension("toml")).unwrap();
+        for (from, to) in changes {
+            assert!(scene.contains(from), "{name} has {from}");
+            scene = scene.replacen(from, to, 1);
+        }
+        let old = scene.lines().find(|line| line.starts_with("end_time")).unwrap().to_owned();
+        scene = scene.replace(&old, &format!("end_time = {end}"));
+        let write = |part: &str| files(&format!("{name}-{part}"), (shape.0, &shape.1), &scene);
+        let whole = run(&write("whole"), &["--threads", "1"]);
+        let parts = run(&write("parts"), &["--threads", "2", "--end-time", half]);
+        let (good, said) = resume(&parts, end);
+        assert!(good, "{name}: {said}");
+        let [one, other] = [&whole, &parts].map(|dir| std::fs::read(dir.join("probes.csv")).unwrap());
+        assert!(one == other, "{name}");
+        is_refused_with_another_file(&parts, end, other_file);
+    }
 }

@@ -64,6 +64,11 @@ fn only_chosen_fields_of_chosen_particles_are_written() {
     let [a, b] = [&all, &some].map(|dir| std::fs::read(dir.join("probes.csv")).unwrap());
     assert_eq!(a, b);
 
+    let polygonal =
+        run("polygonal", "fields = [\"pressure\"]\nfield_form = \"vtp\"\nfield_interval = 0.025", &[]);
+    let frame = xml(&polygonal.join("fields/water_00002.vtp"));
+    assert!(frame.contains("type=\"PolyData\"") && frame.contains("NumberOfVerts=\"200\""), "{frame}");
+
     let hdf = run("hdf", "fields = []\nfield_form = \"vtkhdf\"\nfield_interval = 0.025", &[]);
     let mut files: Vec<_> =
         std::fs::read_dir(hdf.join("fields")).unwrap().map(|file| file.unwrap().file_name()).collect();

@@ -1,10 +1,11 @@
-//! `--print-scene`: what a program prints is a good scene, and running it gives the numbers of the program.
+//! `--print-scene`: what a program prints is a good scene, running it gives the numbers of the program, and it can be stopped and resumed.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
 mod common;
 
 use common::{assert_same, assert_same_plate, fresh, results, words};
 use mps_io::CsvTable;
+use std::path::Path;
 use std::process::{Command, Output};
 
 const MPS: &str = env!("CARGO_BIN_EXE_mps");
@@ -30,7 +31,26 @@ fn both(program: &str, name: &str, arguments: &[&str]) -> [CsvTable; 2] {
     let (mine, _) = results(MPS, &format!("{name}-printed"), &["run", file.to_str().unwrap()]);
     let (theirs, _) = results(program, &format!("{name}-program"), arguments);
     assert!(mine.columns[0].len() > 5, "{name}: too few rows");
+    goes_on(name, &file, &mine);
     [mine, theirs]
+}
+
+/// What is printed can be stopped and resumed, and has the numbers of the run in one piece, to the last bit.
+fn goes_on(name: &str, file: &Path, whole: &CsvTable) {
+    let end = *whole.columns[0].last().unwrap();
+    let name = format!("{name}-stopped");
+    let half = format!("{:e}", 0.45 * end);
+    let begin = ["run", file.to_str().unwrap(), "--end-time", &half, "--threads", "2"];
+    let (first, _) = results(MPS, &name, &begin);
+    assert!(*first.columns[0].last().unwrap() < 0.6 * end);
+    // The last step of the whole run ends there, whatever the rounding.
+    let dir = Path::new(env!("CARGO_TARGET_TMPDIR")).join("scenes").join(&name);
+    let resume =
+        ["resume", dir.to_str().unwrap(), "--end-time", &format!("{:e}", end * (1.0 - 1e-9)), "--quiet"];
+    let output = Command::new(MPS).args(resume).output().unwrap();
+    assert!(output.status.success(), "{name}: {}", words(&output.stderr));
+    let parts = CsvTable::read(dir.join("probes.csv")).unwrap();
+    assert!(parts.names == whole.names && parts.columns == whole.columns, "{name}");
 }
 
 #[test]

@@ -33,6 +33,9 @@ fn every_scene_is_good_without_a_warning_and_runs() {
     let mut count = 0;
     for entry in std::fs::read_dir(scenes()).unwrap() {
         let path = entry.unwrap().path();
+        if path.is_dir() {
+            continue; // The shapes of some.
+        }
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();
         let output = Command::new(MPS).arg("check").arg(&path).output().unwrap();
         assert!(output.status.success() && output.stderr.is_empty(), "{name}: {}", words(&output.stderr));

@@ -4,7 +4,7 @@
 //! tensors of `mps-kernel` and nothing of fluids, solids or time steps.
 //!
 //! - [`prepare_output`]: proves before the first step that results can be written.
-//! - [`FieldWriter`], [`PointCloud`]: one `.vtu` or `.vtkhdf` a frame and a list that ParaView opens while the
+//! - [`FieldWriter`], [`PointCloud`]: one `.vtu`, `.vtp` or `.vtkhdf` a frame and a list that ParaView opens while the
 //!   job runs.
 //! - [`CsvWriter`], [`CsvTable`]: time series, complete after every row; reference curves.
 //! - [`TableWriter`]: the same, as text or binary.

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use common::{directory, listing};
 use flate2::read::ZlibDecoder;
-use mps_io::{FieldOptions, FieldWriter, OutputError, PointCloud};
+use mps_io::{FieldFormat, FieldOptions, FieldWriter, OutputError, PointCloud};
 use mps_kernel::{Real, Tensor, Vector};
 
 /// A frame as text and bytes.
@@ -122,7 +122,20 @@ fn round_trip<T: Real, const D: usize>(name: &str, n: usize, options: FieldOptio
     let mut writer = FieldWriter::new(&dir, "fluid", options).unwrap();
     let frame = Frame::read(&writer.write(0.125, &cloud).unwrap());
 
-    assert!(frame.xml.contains(&format!("NumberOfPoints=\"{n}\" NumberOfCells=\"{n}\"")));
+    let (set, cells) = match options.format {
+        FieldFormat::Vtp => ("PolyData", "Verts"),
+        _ => ("UnstructuredGrid", "Cells"),
+    };
+    for part in [
+        format!("<VTKFile type=\"{set}\""),
+        format!("  <{set}>\n"),
+        format!("NumberOfPoints=\"{n}\" NumberOf{cells}=\"{n}\""),
+        format!("      <{cells}>\n"),
+        format!("      </{cells}>\n"),
+        format!("  </{set}>\n"),
+    ] {
+        assert_eq!(frame.xml.matches(&part).count(), 1, "{part} in {}", frame.xml);
+    }
     let padded = |v: &Vector<T, D>| (0..3).map(|c| if c < D { v[c] } else { T::zero() }).collect::<Vec<T>>();
     let tensor = |t: &Tensor<T, D>| {
         let at = |r, c| if r < D && c < D { t[(r, c)] } else { T::zero() };
@@ -156,7 +169,51 @@ fn round_trip<T: Real, const D: usize>(name: &str, n: usize, options: FieldOptio
     };
     assert!(wide(frame.array("connectivity")).into_iter().eq(0..n as i64));
     assert!(wide(frame.array("offsets")).into_iter().eq(1..=n as i64));
-    assert_eq!(frame.array("types").bytes, vec![1u8; n]);
+    if options.format == FieldFormat::Vtu {
+        assert_eq!(frame.array("types").bytes, vec![1u8; n]);
+    } else {
+        assert!(!frame.xml.contains("Name=\"types\""), "all cells of polygonal data are vertices");
+    }
+}
+
+#[test]
+fn polygonal_data_has_the_same_arrays() {
+    let vtp = |compress, single_precision| FieldOptions {
+        format: FieldFormat::Vtp,
+        ..options(compress, single_precision)
+    };
+    round_trip::<f64, 2>("vtp-f64-2", 1000, vtp(true, false));
+    round_trip::<f64, 3>("vtp-f64-3-single-raw", 1000, vtp(false, true));
+    round_trip::<f32, 3>("vtp-f32-3", 1000, vtp(true, false));
+    round_trip::<f64, 2>("vtp-none", 0, vtp(true, false));
+}
+
+/// A run in the directory of an earlier one with another form left the list of that one, which readers then opened for the new one.
+#[test]
+fn the_list_of_another_form_does_not_stay() {
+    let dir = directory("forms");
+    let at = [Vector::<f64, 2>::new(0.0, 1.0)];
+    let write = |name: &str, format: FieldFormat| {
+        let options = FieldOptions { format, ..FieldOptions::default() };
+        FieldWriter::new(&dir, name, options).unwrap().write(0.0, &PointCloud::new(&at)).unwrap();
+    };
+    let lists = || -> Vec<String> {
+        let is_list = |file: &String| !file.contains("_0");
+        listing(&dir).into_iter().filter(is_list).collect()
+    };
+    write("gate", FieldFormat::Vtu);
+    for (format, list) in [
+        (FieldFormat::Vtu, "fluid.pvd"),
+        (FieldFormat::VtkHdf, "fluid.vtkhdf.series"),
+        (FieldFormat::Vtp, "fluid.pvd"),
+        (FieldFormat::VtkHdf, "fluid.vtkhdf.series"),
+        (FieldFormat::Vtu, "fluid.pvd"),
+    ] {
+        write("fluid", format);
+        // Those of other series are left.
+        assert_eq!(lists(), [list, "gate.pvd"]);
+    }
+    assert!(std::fs::read_to_string(dir.join("fluid.pvd")).unwrap().contains("fluid_00000.vtu"));
 }
 
 #[test]

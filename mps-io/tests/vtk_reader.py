@@ -5,13 +5,15 @@
 """
 
 import json
+import os
 import sys
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOHDF import vtkHDFReader
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
 VERTEX = 1
+READERS = {".vtu": vtkXMLUnstructuredGridReader, ".vtp": vtkXMLPolyDataReader, ".vtkhdf": vtkHDFReader}
 
 
 def described(array, names_only):
@@ -25,7 +27,7 @@ def described(array, names_only):
 
 
 def read(path, names_only):
-    reader = vtkHDFReader() if path.endswith(".vtkhdf") else vtkXMLUnstructuredGridReader()
+    reader = READERS[os.path.splitext(path)[1]]()
     reader.SetFileName(path)
     # A broken file is told on standard error, and no Python error.
     failures = []

@@ -24,9 +24,15 @@ fn array(kind: &str, components: usize, bytes: impl IntoIterator<Item = u8>) -> 
     serde_json::json!({ "type": kind, "components": components, "bytes": hex })
 }
 
-fn comes_back<T: Real>(name: &str, format: FieldFormat, compress: bool, single_precision: bool) {
+fn comes_back<T: Real, const D: usize>(
+    name: &str,
+    format: FieldFormat,
+    compress: bool,
+    single_precision: bool,
+) {
     const N: usize = 300;
-    let at: Vec<Vector<T, 2>> = (0..N).map(|k| Vector::from([T::of(k as f64 / 7.0), T::of(-0.5)])).collect();
+    let place = |k: usize| Vector::from_fn(|axis, _| T::of([k as f64 / 7.0, -0.5, (k as f64).cos()][axis]));
+    let at: Vec<Vector<T, D>> = (0..N).map(place).collect();
     let pressure: Vec<T> = (0..N).map(|k| T::of((k as f64).sqrt())).collect();
     let id: Vec<u32> = (0..N as u32).rev().collect();
     // Every other particle from the end.
@@ -55,8 +61,8 @@ fn comes_back<T: Real>(name: &str, format: FieldFormat, compress: bool, single_p
         assert_eq!(found["time"], 0.375);
         assert_eq!([&found["points"], &found["vertices"]], [rows.len(), rows.len()]);
         let each = rows.iter().map(|k| *k as usize);
-        let places: Vec<u8> =
-            each.clone().flat_map(|k| [at[k][0], at[k][1], T::zero()]).flat_map(bytes).collect();
+        let padded = |k: usize| [0, 1, 2].map(|axis| at[k].get(axis).copied().unwrap_or(T::zero()));
+        let places: Vec<u8> = each.clone().flat_map(padded).flat_map(bytes).collect();
         assert_eq!(found["arrays"]["Points"], array(kind, 3, places.clone()));
         assert_eq!(found["arrays"]["velocity"], array(kind, 3, places));
         assert_eq!(
@@ -71,10 +77,13 @@ fn comes_back<T: Real>(name: &str, format: FieldFormat, compress: bool, single_p
 #[test]
 #[ignore = "needs a Python with vtk, named by MPS_PYTHON"]
 fn what_is_written_comes_back_bit_for_bit() {
-    for (form, format) in [("vtu", FieldFormat::Vtu), ("hdf", FieldFormat::VtkHdf)] {
-        comes_back::<f64>(&format!("{form}-f64"), format, true, false);
-        comes_back::<f64>(&format!("{form}-f64-raw"), format, false, false);
-        comes_back::<f64>(&format!("{form}-single"), format, true, true);
-        comes_back::<f32>(&format!("{form}-f32"), format, true, false);
+    for (form, format) in [("vtu", FieldFormat::Vtu), ("vtp", FieldFormat::Vtp), ("hdf", FieldFormat::VtkHdf)]
+    {
+        comes_back::<f64, 2>(&format!("{form}-f64"), format, true, false);
+        comes_back::<f64, 2>(&format!("{form}-f64-raw"), format, false, false);
+        comes_back::<f64, 3>(&format!("{form}-f64-3d"), format, true, false);
+        comes_back::<f64, 2>(&format!("{form}-single"), format, true, true);
+        comes_back::<f64, 3>(&format!("{form}-single-3d"), format, true, true);
+        comes_back::<f32, 2>(&format!("{form}-f32"), format, true, false);
     }
 }

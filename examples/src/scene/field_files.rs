@@ -26,6 +26,7 @@ fn options(output: &Output) -> FieldOptions {
         single_precision: output.field_precision.unwrap_or_default() == FieldPrecision::F32,
         format: match output.field_form.unwrap_or_default() {
             FieldForm::Vtu => FieldFormat::Vtu,
+            FieldForm::Vtp => FieldFormat::Vtp,
             FieldForm::Vtkhdf => FieldFormat::VtkHdf,
         },
         ..FieldOptions::default()

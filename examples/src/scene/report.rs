@@ -23,6 +23,7 @@ pub(super) fn plots(dir: &Path, title: &str, table: &CsvTable, measured: usize) 
     // Where zero of a potential lies has no meaning: what counts is the change.
     let unit = names.get(measured).and_then(|total| total.rsplit_once(" [")).map_or("J]", |(_, unit)| unit);
     let mut energies = CurvePlot::new(title, &names[0], &format!("energy since the start [{unit}"));
+    let mut changed = false;
     for (name, column) in names.iter().zip(columns).skip(measured) {
         let mut column = column.clone();
         let start = column.first().copied().unwrap_or(0.0);
@@ -32,9 +33,11 @@ pub(super) fn plots(dir: &Path, title: &str, table: &CsvTable, measured: usize) 
             && column.iter().any(|value| *value != 0.0)
         {
             energies = energies.line(name, time, &column);
+            changed = true;
         }
     }
-    if measured < names.len() {
+    // A run that fails in its first step has no energy that has changed.
+    if changed {
         energies.write_png(dir.join("energies.png"))?;
     }
     Ok(())

@@ -109,8 +109,8 @@ fn whole<T: Real, const D: usize, K: Kernel<T>>(
         Ok(record(&mut watched, end, &watch, &mut seconds))
     })?;
 
-    // Whatever happened, what has been computed is kept.
-    report::plots(&dir, &scene.title, &observer.table(), observer.measured)?;
+    // Whatever happened, what has been computed is kept; a plot that cannot be drawn hides no failure.
+    let drawn = report::plots(&dir, &scene.title, &observer.table(), observer.measured);
     let cost = Cost {
         threads: parallel.threads(),
         steps: world.steps(),
@@ -125,5 +125,5 @@ fn whole<T: Real, const D: usize, K: Kernel<T>>(
     }
     cost.enter(&mut summary, common, done.as_ref().err());
     conclude(&dir, &summary, common, done.is_ok())?;
-    done
+    done.and(drawn)
 }

@@ -5,13 +5,18 @@ use mps_io::scene_file::{Source, parse};
 
 /// Why a text is no scene.
 pub(crate) fn fault(text: &str) -> Option<String> {
-    parse(&Source::new("block", text)).err().map(|error| error.to_string())
+    fault_of("block", text)
+}
+
+/// The same of a text that is in a file of this name, from whose directory the paths of shapes count.
+fn fault_of(file: &str, text: &str) -> Option<String> {
+    parse(&Source::new(file, text)).err().map(|error| error.to_string())
 }
 
 /// Why a text cannot take the place of the same tables of a scene of the gallery.
 pub(crate) fn fault_of_part(text: &str, scene: &str) -> Option<String> {
     let path = root().join("examples/scenes").join(scene).with_extension("toml");
-    let whole = match std::fs::read_to_string(path) {
+    let whole = match std::fs::read_to_string(&path) {
         Ok(whole) => whole,
         Err(error) => return Some(format!("{scene}: {error}")),
     };
@@ -21,7 +26,7 @@ pub(crate) fn fault_of_part(text: &str, scene: &str) -> Option<String> {
     // What has no heading comes first, and a table before its parts.
     let mut all: Vec<String> = kept.chain(part.iter().cloned()).collect();
     all.sort_by_key(|table| heading(table).trim_matches(['[', ']']).to_owned());
-    fault(&all.concat())
+    fault_of(&path.display().to_string(), &all.concat())
 }
 
 /// The text before the first heading, and each table with its heading.

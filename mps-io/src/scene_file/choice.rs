@@ -85,9 +85,11 @@ impl FieldPrecision {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum FieldForm {
-    /// VTK's XML, listed in a `.pvd`
+    /// VTK's XML, an unstructured grid, listed in a `.pvd`
     #[default]
     Vtu,
+    /// VTK's XML, polygonal data, listed in a `.pvd`: for what takes surfaces and points only
+    Vtp,
     /// HDF5 in the layout of VTK (9.3 or later), listed in a `.vtkhdf.series`
     Vtkhdf,
 }

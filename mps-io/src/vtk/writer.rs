@@ -1,5 +1,6 @@
 //! One file a frame and a list of them with their times.
 
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use mps_kernel::{Real, Transfer};
@@ -8,7 +9,7 @@ use super::cloud::PointCloud;
 use super::encode::Frame;
 use super::form::Form;
 use super::vtkhdf::VtkHdf;
-use super::vtu::Vtu;
+use super::xml::{DataSet, Xml};
 use crate::OutputError;
 use crate::directory::prepare_output;
 
@@ -33,20 +34,36 @@ impl Default for FieldOptions {
 /// A form of files that VTK and ParaView read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FieldFormat {
-    /// VTK's XML: frames `name_00012.vtu`, listed in `name.pvd`.
+    /// VTK's XML, an unstructured grid: frames `name_00012.vtu`, listed in `name.pvd`.
     #[default]
     Vtu,
+    /// VTK's XML, polygonal data: frames `name_00012.vtp`, listed in `name.pvd`. For readers and filters that take surfaces and points
+    /// only; a byte a particle less.
+    Vtp,
     /// HDF5: frames `name_00012.vtkhdf`, listed in `name.vtkhdf.series`. For those who read fields with HDF5 libraries too; VTK 9.3 or
     /// later.
     VtkHdf,
 }
 
-/// Writes the frames `name_00000.vtu`, `name_00001.vtu`, ... and the collection `name.pvd`, or the same as
-/// [HDF5](FieldFormat::VtkHdf).
+impl FieldFormat {
+    const ALL: [Self; 3] = [Self::Vtu, Self::Vtp, Self::VtkHdf];
+
+    fn form(self, compress: bool) -> Box<dyn Form + Send> {
+        match self {
+            Self::Vtu => Box::new(Xml::new(DataSet::UnstructuredGrid, compress)),
+            Self::Vtp => Box::new(Xml::new(DataSet::PolyData, compress)),
+            Self::VtkHdf => Box::new(VtkHdf::new(compress)),
+        }
+    }
+}
+
+/// Writes the frames `name_00000.vtu`, `name_00001.vtu`, ... and the collection `name.pvd`, or the same in
+/// [another form](FieldFormat).
 ///
 /// Both appear whole or not at all and the collection is rewritten after each frame: ParaView can
 /// open a running job and reload it. Frames of an earlier run in the same directory are overwritten
-/// as the new run reaches their numbers; the collection lists only the new ones.
+/// as the new run reaches their numbers; the collection lists only the new ones. The list of one that wrote the series in another
+/// form is removed, so that nobody opens it for the new one; its frames are left.
 pub struct FieldWriter {
     dir: PathBuf,
     name: String,
@@ -59,7 +76,7 @@ impl FieldWriter {
     /// A writer into `dir`, which is created if it is missing.
     ///
     /// # Errors
-    /// The directory cannot be created or written to, or `name` cannot be a file name.
+    /// The directory cannot be created or written to, a list in another form cannot be removed from it, or `name` cannot be a file name.
     pub fn new(dir: impl AsRef<Path>, name: &str, options: FieldOptions) -> Result<Self, OutputError> {
         let dir = dir.as_ref().to_path_buf();
         if name.is_empty() || name.contains(['/', '\\', '\0', ':']) {
@@ -68,11 +85,27 @@ impl FieldWriter {
         }
         prepare_output(&dir)?;
         let FieldOptions { compress, single_precision, format } = options;
-        let form: Box<dyn Form + Send> = match format {
-            FieldFormat::Vtu => Box::new(Vtu::new(compress)),
-            FieldFormat::VtkHdf => Box::new(VtkHdf::new(compress)),
-        };
-        Ok(Self { dir, name: name.to_owned(), frames: Vec::new(), single_precision, form })
+        let form = format.form(compress);
+        let writer = Self { dir, name: name.to_owned(), frames: Vec::new(), single_precision, form };
+        writer.remove_other_lists()?;
+        Ok(writer)
+    }
+
+    /// Removes what an earlier run in another form has left for readers to open.
+    fn remove_other_lists(&self) -> Result<(), OutputError> {
+        for other in FieldFormat::ALL {
+            let list = self.list(other.form(false).list_ending());
+            if list == self.collection() {
+                continue;
+            }
+            match std::fs::remove_file(&list) {
+                Err(error) if error.kind() != ErrorKind::NotFound => {
+                    return Err(OutputError::file("remove the list of an earlier run", &list)(error));
+                }
+                _ => {}
+            }
+        }
+        Ok(())
     }
 
     /// Writes the cloud at `time` (s) as the next frame and returns the path of its file.
@@ -111,7 +144,11 @@ impl FieldWriter {
 
     /// The file to open in ParaView.
     pub fn collection(&self) -> PathBuf {
-        self.dir.join(format!("{}.{}", self.name, self.form.list_ending()))
+        self.list(self.form.list_ending())
+    }
+
+    fn list(&self, ending: &str) -> PathBuf {
+        self.dir.join(format!("{}.{ending}", self.name))
     }
 }
 

@@ -38,7 +38,8 @@ pub(crate) struct Options {
     /// Run with 4, 5, 8, 10 and 20 particles across, and write a table with the orders of convergence
     #[arg(long, conflicts_with_all = ["across", "spacing"])]
     pub(crate) convergence: bool,
-    /// Print the scene file that is this run, for `mps run`, instead of running it
+    /// Print the scene file that is this run instead of running it: for runs that have to outlast interruptions. `mps run` of that file writes
+    /// checkpoints, from which `mps resume` goes on with the same bits
     #[arg(long)]
     pub(crate) print_scene: bool,
     #[command(flatten)]

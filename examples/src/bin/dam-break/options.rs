@@ -62,7 +62,8 @@ pub(crate) struct Options {
     /// Run with each stabiliser switched in turn, and write a table of what it brings and costs
     #[arg(long)]
     pub(crate) stabilisers: bool,
-    /// Print the scene file that is this run, for `mps run`, instead of running it
+    /// Print the scene file that is this run instead of running it: for runs that have to outlast interruptions. `mps run` of that file writes
+    /// checkpoints, from which `mps resume` goes on with the same bits
     #[arg(long)]
     pub(crate) print_scene: bool,
     #[command(flatten)]

@@ -64,7 +64,8 @@ pub(crate) struct Options {
     /// Directory of an earlier run, to draw its curve beside this one; may be repeated
     #[arg(long, value_name = "DIR")]
     pub(crate) beside: Vec<PathBuf>,
-    /// Print the scene file that is this run, for `mps run`, instead of running it
+    /// Print the scene file that is this run instead of running it: for runs that have to outlast interruptions. `mps run` of that file writes
+    /// checkpoints, from which `mps resume` goes on with the same bits
     #[arg(long)]
     pub(crate) print_scene: bool,
     #[command(flatten)]

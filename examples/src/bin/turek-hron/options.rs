@@ -50,7 +50,8 @@ pub(crate) struct Options {
     /// How fast densities follow the packing, as a share in the time in which sound passes a spacing
     #[arg(long, value_name = "SHARE", default_value_t = 0.01)]
     pub(crate) relaxation: f64,
-    /// Print the scene file that is this run, for `mps run`, instead of running it
+    /// Print the scene file that is this run instead of running it: for runs that have to outlast interruptions. `mps run` of that file writes
+    /// checkpoints, from which `mps resume` goes on with the same bits
     #[arg(long)]
     pub(crate) print_scene: bool,
     #[command(flatten)]

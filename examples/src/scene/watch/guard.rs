@@ -4,6 +4,7 @@ use super::super::World;
 use super::alarm::Alarm;
 use super::measure::Measures;
 use super::pace::{Pace, Setback};
+use super::post_mortem::failed;
 use super::remarks::Remarks;
 use super::ring::{Ring, Step};
 use crate::Failure;
@@ -100,9 +101,17 @@ impl Guard {
         older.take().or_else(|| newer.take())
     }
 
-    /// What the pace has to be after a failure, with the good state that is gone back to; `None` if the run is to stop.
-    pub(in crate::scene) fn setback(&self, failed: u64, from: u64, substeps: usize) -> Option<Setbacks> {
-        let setback = Setback { failed, from, substeps: substeps as u64 };
+    /// What the pace has to be after a failure that has left the world as it is now, if it goes back to the good state after `from` steps;
+    /// `None` if the run is to stop.
+    pub(in crate::scene) fn setback<T: Real, const D: usize, K: Kernel<T>>(
+        &self,
+        failure: &Failure,
+        world: &World<T, D, K>,
+        from: u64,
+    ) -> Option<Setbacks> {
+        let (failed, substeps) = (failed(failure, world), world.substeps() as u64);
+        let halved = if world.fluid().is_some() { 2 } else { 1 };
+        let setback = Setback { failed, from, substeps, halved };
         let pace = self.pace.after(setback, self.watch.on_failure)?;
         Some(Setbacks { pace, remarks: self.remarks.clone() })
     }

@@ -25,4 +25,4 @@ mod ring;
 mod table;
 
 pub(super) use guard::{Good, Guard, Setbacks};
-pub(super) use post_mortem::{Dissected, PostMortem, failed};
+pub(super) use post_mortem::{Dissected, PostMortem};

@@ -115,7 +115,7 @@ impl<'a> PostMortem<'a> {
 }
 
 /// Steps done before the one that failed and has left the world as it is now.
-pub(in crate::scene) fn failed<T: Real, const D: usize, K: Kernel<T>>(
+pub(super) fn failed<T: Real, const D: usize, K: Kernel<T>>(
     failure: &Failure,
     world: &World<T, D, K>,
 ) -> u64 {

@@ -5,7 +5,7 @@ use super::course::{Course, transfer_run};
 use super::output::Output;
 use crate::Failure;
 use crate::scene::observer::Observer;
-use crate::scene::watch::{Dissected, Good, PostMortem, Setbacks, failed};
+use crate::scene::watch::{Dissected, Good, PostMortem, Setbacks};
 use mps_kernel::{Kernel, Real, State};
 use std::path::Path;
 
@@ -14,7 +14,7 @@ impl<T: Real, const D: usize, K: Kernel<T>> Watched<'_, T, D, K> {
     pub(super) fn go_back(&mut self, failure: Failure) -> Result<f64, Failure> {
         let Some(good) = self.course.guard.take_good() else { return Err(failure) };
         let Course { world, guard, .. } = &self.course;
-        let Some(setbacks) = guard.setback(failed(&failure, world), good.steps, world.substeps()) else {
+        let Some(setbacks) = guard.setback(&failure, world, good.steps) else {
             return Err(self.stop(failure, &good));
         };
         self.return_to(good, setbacks, &failure).map_err(|error| {

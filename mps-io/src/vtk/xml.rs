@@ -1,4 +1,6 @@
-//! VTK's XML form of unstructured grids, and the collection ParaView opens.
+//! VTK's XML, as an unstructured grid or as polygonal data, and the collection ParaView opens.
+//!
+//! Both have the same arrays; what differs is what the cells are called, and that those of polygonal data have no types of their own.
 
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -10,8 +12,36 @@ use super::form::{Form, VERTEX};
 use crate::OutputError;
 use crate::directory::write_atomically;
 
-/// Writes `.vtu` and `.pvd`.
-pub(super) struct Vtu {
+/// What a file says it holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum DataSet {
+    /// `.vtu`: cells of any type.
+    UnstructuredGrid,
+    /// `.vtp`: vertices, and lines, strips and polygons, of which there are none.
+    PolyData,
+}
+
+impl DataSet {
+    /// VTK's name of it.
+    fn name(self) -> &'static str {
+        match self {
+            Self::UnstructuredGrid => "UnstructuredGrid",
+            Self::PolyData => "PolyData",
+        }
+    }
+
+    /// The attribute that counts its cells, and the element that has them.
+    fn cells(self) -> [&'static str; 2] {
+        match self {
+            Self::UnstructuredGrid => ["NumberOfCells", "Cells"],
+            Self::PolyData => ["NumberOfVerts", "Verts"],
+        }
+    }
+}
+
+/// Writes `.vtu` or `.vtp`, and `.pvd`.
+pub(super) struct Xml {
+    data_set: DataSet,
     appended: Appended,
     cells: Cells,
 }
@@ -22,67 +52,80 @@ pub(super) struct Vtu {
 struct Cells {
     /// Number of cells, and bytes they take; `None` before the first frame.
     written: Option<(usize, usize)>,
-    /// Where connectivity, offsets and types begin.
-    at: [usize; 3],
+    /// Their arrays: type, name, and where they begin.
+    arrays: Vec<(&'static str, &'static str, usize)>,
 }
 
-impl Vtu {
-    pub(super) fn new(compress: bool) -> Self {
-        Self { appended: Appended::new(compress), cells: Cells::default() }
+impl Xml {
+    pub(super) fn new(data_set: DataSet, compress: bool) -> Self {
+        Self { data_set, appended: Appended::new(compress), cells: Cells::default() }
     }
 
     /// Fills the appended section and returns the XML that stands before it.
     fn describe(&mut self, time: f64, frame: &Frame) -> std::io::Result<String> {
         let n = frame.len;
-        let cells = self.cells(n)?;
+        self.keep_cells(n)?;
+        let set = self.data_set.name();
+        let [count, element] = self.data_set.cells();
         let data = &mut self.appended;
+        let compressor = if data.is_compressed() { " compressor=\"vtkZLibDataCompressor\"" } else { "" };
         let mut xml = String::from("<?xml version=\"1.0\"?>\n");
-        xml += "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"";
-        xml += if data.is_compressed() { " compressor=\"vtkZLibDataCompressor\">\n" } else { ">\n" };
-        xml += "  <UnstructuredGrid>\n    <FieldData>\n";
+        // Writing into a String cannot fail, here and below.
+        let _ = writeln!(
+            xml,
+            "<VTKFile type=\"{set}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"{compressor}>"
+        );
+        let _ = writeln!(xml, "  <{set}>\n    <FieldData>");
         // ParaView shows this time even when a single frame is opened without its collection.
         let _ = writeln!(
             xml,
             "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{time:e}</DataArray>"
         );
         xml += "    </FieldData>\n";
-        let _ = writeln!(xml, "    <Piece NumberOfPoints=\"{n}\" NumberOfCells=\"{n}\">\n      <Points>");
+        let _ = writeln!(xml, "    <Piece NumberOfPoints=\"{n}\" {count}=\"{n}\">\n      <Points>");
         let points = &frame.points;
         array(&mut xml, name(points.kind), "Points", 3, data.push(&points.bytes)?);
-        xml += "      </Points>\n      <Cells>\n";
-        array(&mut xml, "Int64", "connectivity", 1, cells[0]);
-        array(&mut xml, "Int64", "offsets", 1, cells[1]);
-        array(&mut xml, "UInt8", "types", 1, cells[2]);
-        xml += "      </Cells>\n      <PointData>\n";
+        let _ = writeln!(xml, "      </Points>\n      <{element}>");
+        for (kind, name, offset) in &self.cells.arrays {
+            array(&mut xml, kind, name, 1, *offset);
+        }
+        let _ = writeln!(xml, "      </{element}>\n      <PointData>");
         for field in &frame.fields {
             array(&mut xml, name(field.kind), &field.name, field.components, data.push(&field.bytes)?);
         }
-        xml += "      </PointData>\n    </Piece>\n  </UnstructuredGrid>\n";
+        let _ = writeln!(xml, "      </PointData>\n    </Piece>\n  </{set}>");
         Ok(xml)
     }
 
     /// Makes the appended section hold the cells of `n` particles and nothing else.
-    fn cells(&mut self, n: usize) -> std::io::Result<[usize; 3]> {
+    fn keep_cells(&mut self, n: usize) -> std::io::Result<()> {
         let (data, cells) = (&mut self.appended, &mut self.cells);
         if let Some((count, length)) = cells.written
             && count == n
         {
             data.truncate(length);
-        } else {
-            data.truncate(0);
-            cells.written = None;
-            let wide =
-                |from: i64| -> Vec<u8> { (from..from + n as i64).flat_map(i64::to_le_bytes).collect() };
-            cells.at = [data.push(&wide(0))?, data.push(&wide(1))?, data.push(&vec![VERTEX; n])?];
-            cells.written = Some((n, data.bytes.len()));
+            return Ok(());
         }
-        Ok(cells.at)
+        data.truncate(0);
+        cells.written = None;
+        cells.arrays.clear();
+        let wide = |from: i64| -> Vec<u8> { (from..from + n as i64).flat_map(i64::to_le_bytes).collect() };
+        cells.arrays.push(("Int64", "connectivity", data.push(&wide(0))?));
+        cells.arrays.push(("Int64", "offsets", data.push(&wide(1))?));
+        if self.data_set == DataSet::UnstructuredGrid {
+            cells.arrays.push(("UInt8", "types", data.push(&vec![VERTEX; n])?));
+        }
+        cells.written = Some((n, data.bytes.len()));
+        Ok(())
     }
 }
 
-impl Form for Vtu {
+impl Form for Xml {
     fn ending(&self) -> &'static str {
-        "vtu"
+        match self.data_set {
+            DataSet::UnstructuredGrid => "vtu",
+            DataSet::PolyData => "vtp",
+        }
     }
 
     fn list_ending(&self) -> &'static str {
@@ -115,7 +158,6 @@ impl Form for Vtu {
 
 fn array(xml: &mut String, kind: &str, name: &str, components: usize, offset: usize) {
     let name = escape(name);
-    // Writing into a String cannot fail.
     let _ = writeln!(
         xml,
         "        <DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"appended\" offset=\"{offset}\"/>"
