@@ -87,7 +87,7 @@ fn csv(sweep: &Sweep, rows: &[Row]) -> String {
     let mut text = "settings,processor [s],wall [s],memory [B],steps [-]".to_owned();
     let names = sweep.counts.iter().map(|count| format!("error of {} [-]", count.metric));
     for name in names.chain(sweep.also.iter().cloned()).chain(["error over tolerance [-]".to_owned()]) {
-        let _ = write!(text, ",{name}");
+        let _ = write!(text, ",{}", if name.contains(',') { quoted(&name) } else { name });
     }
     text.push_str(",best,failure\n");
     let best = front(rows);
