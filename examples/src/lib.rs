@@ -1,6 +1,7 @@
 //! Shared parts of the example programs: the flags they have in common, how a run is refused, the time loop and when
 //! something is due in it, what is read off a series, and the closing words. The bodies that several programs
-//! move are in [`solid`], water in a basin in [`basin`], and a beam in it in [`submerged`]; scene files become scenes in [`scene`].
+//! move are in [`solid`], water in a basin in [`basin`], problems with a known solution in [`exact`], and a beam in water in
+//! [`submerged`]; scene files become scenes in [`scene`].
 
 pub mod basin;
 #[cfg(doctest)]
@@ -8,6 +9,7 @@ mod book;
 mod cli;
 mod conclusion;
 mod connected;
+pub mod exact;
 pub mod harmonics;
 mod log;
 mod milestones;

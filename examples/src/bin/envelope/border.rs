@@ -64,6 +64,8 @@ pub(crate) enum Known {
     Between(f64, f64),
     /// Fine at all of these values, the ends of what was asked for among them.
     Holds(&'static [f64]),
+    /// Fine at all of the first values; and at the second ones, which take too long to be run by `--quick`.
+    Lasts(&'static [f64], &'static [f64]),
 }
 
 /// A run of a scene.

@@ -18,11 +18,7 @@ pub(crate) struct Found {
 /// Runs the values that are written down, and nothing else.
 pub(crate) fn check(border: &Border, known: Known) -> Found {
     match known {
-        Known::Holds(values) => {
-            let fine: Vec<_> = values.iter().map(|value| border.run(*value)).collect();
-            let as_known = fine.iter().all(|trial| border.is_fine(trial));
-            Found { fine, broken: None, as_known }
-        }
+        Known::Holds(values) | Known::Lasts(values, _) => holds(border, values),
         Known::Between(fine, broken) => {
             let (fine, broken) = (border.run(fine), border.run(broken));
             let as_known = border.is_fine(&fine) && !border.is_fine(&broken);
@@ -31,8 +27,19 @@ pub(crate) fn check(border: &Border, known: Known) -> Found {
     }
 }
 
-/// Halves the distance between the two sides, in the logarithm, until they are within 1 % or next to each other.
+/// Runs values at which all is fine.
+fn holds(border: &Border, values: &[f64]) -> Found {
+    let fine: Vec<_> = values.iter().map(|value| border.run(*value)).collect();
+    let as_known = fine.iter().all(|trial| border.is_fine(trial));
+    Found { fine, broken: None, as_known }
+}
+
+/// Halves the distance between the two sides, in the logarithm, until they are within 1 % or next to each other; where there is no
+/// border, runs also what takes long.
 pub(crate) fn locate(border: &Border, known: Known) -> Found {
+    if let Known::Lasts(values, long) = known {
+        return holds(border, &[values, long].concat());
+    }
     let mut found = check(border, known);
     if !found.as_known {
         return found;
@@ -96,6 +103,15 @@ mod tests {
         let found =
             locate(&border(|x| Ok(if x < 3.5 { f64::NAN } else { 0.0 }), true), Known::Between(8.0, 1.0));
         assert_eq!((found.fine[0].value, found.broken.unwrap().value), (4.0, 3.0));
+    }
+
+    #[test]
+    fn what_takes_long_is_left_to_the_search() {
+        let border = border(|x| Ok(x / 2.0), false);
+        let tried = |found: Found| found.fine.iter().map(|trial| trial.value).collect::<Vec<_>>();
+        assert_eq!(tried(check(&border, Known::Lasts(&[1.0], &[1.5]))), [1.0]);
+        assert_eq!(tried(locate(&border, Known::Lasts(&[1.0], &[1.5]))), [1.0, 1.5]);
+        assert!(!locate(&border, Known::Lasts(&[1.0], &[3.0])).as_known);
     }
 
     #[test]

@@ -62,7 +62,7 @@ fn markdown(sweep: &Sweep, rows: &[Row]) -> String {
             continue;
         }
         for error in &row.errors {
-            let _ = write!(text, "{:+.2} % | ", 100.0 * error);
+            let _ = write!(text, "{} | ", percent(*error));
         }
         for value in &row.also {
             let _ = write!(text, "{} | ", value.map_or("-".to_owned(), |value| format!("{value:.3e}")));
@@ -87,7 +87,7 @@ fn csv(sweep: &Sweep, rows: &[Row]) -> String {
     let mut text = "settings,processor [s],wall [s],memory [B],steps [-]".to_owned();
     let names = sweep.counts.iter().map(|count| format!("error of {} [-]", count.metric));
     for name in names.chain(sweep.also.iter().cloned()).chain(["error over tolerance [-]".to_owned()]) {
-        let _ = write!(text, ",{name}");
+        let _ = write!(text, ",{}", if name.contains(',') { quoted(&name) } else { name });
     }
     text.push_str(",best,failure\n");
     let best = front(rows);
@@ -107,6 +107,12 @@ fn csv(sweep: &Sweep, rows: &[Row]) -> String {
     text
 }
 
+/// In percent, as a power of ten where that would have no digit left.
+fn percent(error: f64) -> String {
+    let is_small = error != 0.0 && error.abs() < 5e-5;
+    if is_small { format!("{error:+.1e}") } else { format!("{:+.2} %", 100.0 * error) }
+}
+
 /// An empty field for what is not there.
 fn number(value: Option<f64>) -> String {
     value.map_or(String::new(), |value| value.to_string())
@@ -115,4 +121,14 @@ fn number(value: Option<f64>) -> String {
 /// A field of text as RFC 4180 has it.
 fn quoted(text: &str) -> String {
     format!("\"{}\"", text.replace('"', "\"\"").replace('\n', " "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::percent;
+
+    #[test]
+    fn small_errors_keep_their_digits() {
+        assert_eq!([0.0, 0.0123, -6e-5, -3.2e-7].map(percent), ["+0.00 %", "+1.23 %", "-0.01 %", "-3.2e-7"]);
+    }
 }

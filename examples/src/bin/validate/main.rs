@@ -1,17 +1,14 @@
 //! Small exact problems over three resolutions, with their errors and observed orders as a table.
 
-mod case;
 mod coupling;
-mod fluid;
 mod options;
 mod solid;
 mod table;
 
-use case::{Case, Curve, Outcome, Pace};
 use clap::Parser;
+use mps_examples::exact::{self, Case, Outcome, Pace, draw};
 use mps_examples::{Failure, exit_code};
 use options::{Options, Part, Run};
-use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 use table::Table;
@@ -30,7 +27,7 @@ fn say(quiet: bool, words: std::fmt::Arguments) {
 fn run(part: &Part) -> Result<(), Failure> {
     let options = part.run();
     let cases = match part {
-        Part::Fluid(_) => fluid::cases(),
+        Part::Fluid(_) => exact::cases(),
         Part::Solid(_) => solid::cases(),
         Part::Coupling(_) => coupling::cases(),
     };
@@ -69,18 +66,8 @@ fn run_case(case: &dyn Case, options: &Run, table: &mut Table) -> Result<(), Fai
         }
         runs.push((resolution, outcome));
     }
-    draw(case, &runs, &options.out)?;
+    let outcomes: Vec<&Outcome> = runs.iter().filter_map(|(_, run)| run.as_ref().ok()).collect();
+    draw(case, &outcomes, &options.out)?;
     table.add(case, &runs, clock.elapsed().as_secs_f64());
-    Ok(())
-}
-
-/// The curves of all resolutions over the exact ones.
-fn draw(case: &dyn Case, runs: &[(usize, Result<Outcome, Failure>)], out: &Path) -> Result<(), Failure> {
-    for plot in case.plots() {
-        let curves = runs.iter().filter_map(|(_, run)| run.as_ref().ok()).flat_map(|run| &run.curves);
-        let draw = |axes: mps_io::CurvePlot, curve: &Curve| axes.line(&curve.name, &curve.x, &curve.y);
-        let axes = curves.filter(|curve| curve.plot == plot.name).fold(plot.axes, draw);
-        axes.write_png(out.join(format!("{}-{}.png", case.name(), plot.name)))?;
-    }
     Ok(())
 }

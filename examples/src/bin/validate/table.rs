@@ -1,7 +1,7 @@
 //! The results as rows: validation.json for programs, validation.md for people.
 
-use crate::case::{Case, Measure, Outcome, observed_order};
 use mps_examples::Failure;
+use mps_examples::exact::{Case, Measure, Outcome, observed_order};
 use mps_io::Value;
 use std::fmt::Write as _;
 use std::path::Path;

@@ -14,8 +14,8 @@ use super::scene::SceneFile;
 use super::source::{Problem, SceneError, Source};
 use toml::de::DeValue;
 
-/// Cells of a lattice beyond which a region is refused: more would not fit into memory.
-const MOST_CELLS: f64 = 5e6;
+/// Cells of a lattice beyond which a region is refused: of plane fluid they take 7 GB (docs/performance.md).
+const MOST_CELLS: f64 = 1e7;
 
 /// Collects what is wrong.
 struct Checker<'a> {

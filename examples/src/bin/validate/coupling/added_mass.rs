@@ -1,9 +1,9 @@
 //! A plate on a spring with water on it: the frequency by the mass of the water.
 
-use crate::case::{Case, Measure, Outcome, Pace};
 use core::f64::consts::FRAC_PI_2;
 use mps_coupling::Scene;
 use mps_examples::basin::{RADIUS_RATIO, lattice, water};
+use mps_examples::exact::{Case, Measure, Outcome, Pace};
 use mps_examples::series::zeros;
 use mps_examples::{Failure, Piston};
 use mps_fluid::{Boundary, Fluid, FluidParticles, Slip, Tension};
@@ -86,6 +86,6 @@ impl Case for AddedMass {
         };
         let found = 4.0 * FRAC_PI_2 / (last - first);
         let frequency = Measure::new("frequency", "rad/s", found, omega, LAW);
-        Ok(Outcome { measures: vec![frequency.within(0.01, 10)], curves: Vec::new() })
+        Ok(Outcome::new(vec![frequency.within(0.01, 10)], Vec::new()))
     }
 }

@@ -1,9 +1,9 @@
 //! What crosses the interface: momentum, angular momentum and energy of a block in a stirred blob of fluid, alone in space.
 
-use crate::case::{Case, Measure, Outcome, Pace};
 use mps_coupling::{ElasticBody, Scene};
 use mps_examples::Failure;
 use mps_examples::basin::{lattice, water};
+use mps_examples::exact::{Case, Measure, Outcome, Pace};
 use mps_fluid::{Boundary, Diffusion, Fluid, FluidParticles, Slip};
 use mps_kernel::Vector;
 use mps_kernel::weights::{WendlandC2, WendlandGradient};
@@ -80,7 +80,7 @@ impl Case for Exchange {
                     kept,
                 ),
             ],
-            curves: Vec::new(),
+            ..Outcome::default()
         })
     }
 }

@@ -5,7 +5,7 @@ mod exchange;
 mod plate;
 mod submerged;
 
-use crate::case::Case;
+use mps_examples::exact::Case;
 
 /// All of them, the cheapest first.
 pub(crate) fn cases() -> Vec<Box<dyn Case>> {

@@ -1,9 +1,9 @@
 //! An elastic bottom of a tank, in the plane and in space: how far it sags under the water.
 
-use crate::case::{Case, Measure, Outcome, Pace};
 use mps_coupling::{ElasticBody, Scene};
 use mps_examples::Failure;
 use mps_examples::basin::{RADIUS_RATIO, lattice, press, water};
+use mps_examples::exact::{Case, Measure, Outcome, Pace};
 use mps_fluid::{ArtificialViscosity, Boundary, Fluid, FluidParticles, Slip};
 use mps_kernel::Vector;
 use mps_kernel::weights::{WendlandC2, WendlandGradient};
@@ -77,7 +77,7 @@ impl Case for Plate {
                 Measure::new("sag", "m", wet, exact(), THEORY),
                 Measure::new(OVER_DRY, "m", wet, dry, "the same solid at rest").within(0.01, 4),
             ],
-            curves: Vec::new(),
+            ..Outcome::default()
         })
     }
 }
@@ -102,7 +102,7 @@ impl Case for Square {
     fn run(&self, n: usize, _: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {
         let [wet, dry] = [sag::<3>(SQUARE, n, parallel)?, dry_sag::<3>(SQUARE, n, parallel)?];
         let measure = Measure::new(OVER_DRY, "m", wet, dry, "the same solid at rest");
-        Ok(Outcome { measures: vec![measure], curves: Vec::new() })
+        Ok(Outcome::new(vec![measure], Vec::new()))
     }
 }
 

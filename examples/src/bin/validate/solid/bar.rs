@@ -1,8 +1,8 @@
 //! A wave along a bar, reflected at a free and at a clamped end.
 
 use super::scene::{RHO, V, YOUNG, solid};
-use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
 use mps_examples::Failure;
+use mps_examples::exact::{Case, Curve, Measure, Outcome, Pace, Plot};
 use mps_io::CurvePlot;
 use mps_neighbors::Parallel;
 use mps_solid::body::{Face, block};
@@ -93,7 +93,7 @@ impl Case for Bar {
                 curves.push(Curve { plot: "pulse", name: format!("{n} along"), x, y });
             }
         }
-        Ok(Outcome { measures, curves })
+        Ok(Outcome::new(measures, curves))
     }
 
     fn plots(&self) -> Vec<Plot> {

@@ -1,7 +1,7 @@
 //! Case 1 of the paper: a plate that swings.
 
-use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
 use core::f64::consts::TAU;
+use mps_examples::exact::{Case, Curve, Measure, Outcome, Pace, Plot};
 use mps_examples::solid::Motion;
 use mps_examples::solid::plate::{
     AMPLITUDE, ELEMENTS, LENGTH, PERIOD_EXTRAPOLATED, moduli, plate, swing, unit_of_time,
@@ -52,7 +52,7 @@ impl Case for Cantilever {
         let x = time.iter().map(|t| t / unit_of_time()).collect();
         let y = tip.iter().map(|u| u / LENGTH).collect();
         let curves = vec![Curve { plot: "tip", name: format!("{n} across"), x, y }];
-        Ok(Outcome { measures, curves })
+        Ok(Outcome::new(measures, curves))
     }
 
     fn plots(&self) -> Vec<Plot> {

@@ -1,7 +1,7 @@
 //! CSM1 of Turek and Hron: the flag at rest.
 
-use crate::case::{Case, Measure, Outcome, Pace};
 use mps_examples::Failure;
+use mps_examples::exact::{Case, Measure, Outcome, Pace};
 use mps_examples::solid::flag::{CSM1, Clamp, RUBBER, SOURCE, end, flag, gravity};
 use mps_neighbors::Parallel;
 use mps_solid::Relaxation;
@@ -35,6 +35,6 @@ impl Case for Csm1 {
         let allowed = if n < 8 { 0.03 } else { 0.01 };
         let measure =
             |name, axis: usize| Measure::new(name, "m", moved[axis], CSM1[axis], SOURCE).within(allowed, 4);
-        Ok(Outcome { measures: vec![measure("ux", 0), measure("uy", 1)], curves: Vec::new() })
+        Ok(Outcome::new(vec![measure("ux", 0), measure("uy", 1)], Vec::new()))
     }
 }

@@ -1,6 +1,6 @@
 //! CSM3 of Turek and Hron: the flag swings.
 
-use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
+use mps_examples::exact::{Case, Curve, Measure, Outcome, Pace, Plot};
 use mps_examples::series::oscillation;
 use mps_examples::solid::Motion;
 use mps_examples::solid::flag::{CSM3, Clamp, RUBBER, SOURCE, end, flag, gravity};
@@ -53,7 +53,7 @@ impl Case for Csm3 {
         measures.push(Measure::new("energy, largest change", "that given by gravity", energy, 0.0, kept));
         let y = samples.iter().map(|s| 1e3 * s.tip[1]).collect();
         let curves = vec![Curve { plot: "uy", name: format!("{n} across"), x: time, y }];
-        Ok(Outcome { measures, curves })
+        Ok(Outcome::new(measures, curves))
     }
 
     fn plots(&self) -> Vec<Plot> {

@@ -12,7 +12,7 @@ mod spin;
 mod stretch;
 mod weight;
 
-use crate::case::Case;
+use mps_examples::exact::Case;
 
 /// All of them, the cheapest first.
 pub(crate) fn cases() -> Vec<Box<dyn Case>> {

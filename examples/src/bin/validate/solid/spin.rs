@@ -1,8 +1,8 @@
 //! A free plate that spins for a hundred turns.
 
 use super::scene::{V, YOUNG, square};
-use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
 use mps_examples::Failure;
+use mps_examples::exact::{Case, Curve, Measure, Outcome, Pace, Plot};
 use mps_io::CurvePlot;
 use mps_neighbors::Parallel;
 use mps_solid::materials::CorotationalHooke;
@@ -62,7 +62,7 @@ impl Case for Spin {
             Measure::new("energy, largest change", "E0", energy, 0.0, LAW).within(1e-6, 0),
         ];
         let curves = vec![Curve { plot: "energy", name: format!("{n} per side"), x: turns, y: change }];
-        Ok(Outcome { measures, curves })
+        Ok(Outcome::new(measures, curves))
     }
 
     fn plots(&self) -> Vec<Plot> {

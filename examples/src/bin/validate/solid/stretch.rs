@@ -1,8 +1,8 @@
 //! A square on rollers, stretched by a traction: a uniform state.
 
 use super::scene::{V, solid};
-use crate::case::{Case, Measure, Outcome, Pace};
 use mps_examples::Failure;
+use mps_examples::exact::{Case, Measure, Outcome, Pace};
 use mps_kernel::Tensor;
 use mps_neighbors::Parallel;
 use mps_solid::body::{Face, block};
@@ -50,6 +50,6 @@ impl Case for Stretch {
         let law = "analytic: the traction, and none across";
         let measures =
             vec![Measure::new("stress in the middle, error", "traction", off, 0.0, law).within(1e-3, 9)];
-        Ok(Outcome { measures, curves: Vec::new() })
+        Ok(Outcome::new(measures, Vec::new()))
     }
 }

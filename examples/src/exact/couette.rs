@@ -1,11 +1,13 @@
 //! Plane Couette flow from rest: the upper wall moves suddenly.
 
+use super::case::{Case, Measure, Outcome, Pace, Plot};
 use super::measures::rms;
+use super::numerics::Numerics;
 use super::scene::{NU, WIDTH, advance, channel};
-use crate::case::{Case, Measure, Outcome, Pace, Plot};
+use crate::Failure;
 use core::f64::consts::PI;
-use mps_examples::Failure;
 use mps_io::CurvePlot;
+use mps_kernel::weights::WendlandC2;
 use mps_neighbors::Parallel;
 
 pub(crate) struct Couette;
@@ -44,7 +46,7 @@ impl Case for Couette {
     }
 
     fn run(&self, across: usize, _pace: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {
-        let mut fluid = channel(across, SPEED, 0.0)?;
+        let mut fluid = channel::<f64, _>(across, SPEED, 0.0, WendlandC2, &Numerics::default())?;
         let mut outcome = Outcome::default();
         let metrics = ["profile at 0.045", "profile at 0.225", "profile at 1"];
         for (look, metric) in LOOKS.into_iter().zip(metrics) {

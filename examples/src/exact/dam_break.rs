@@ -1,8 +1,8 @@
 //! A small dam break in three dimensions against the same one in two.
 
-use super::scene::{GRAVITY, Water, heavy_water, lattice, press, walls};
-use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
-use mps_examples::Failure;
+use super::case::{Case, Curve, Measure, Outcome, Pace, Plot};
+use super::scene::{GRAVITY, SOUND, Water, heavy_water, lattice, press, walls};
+use crate::Failure;
 use mps_fluid::{ArtificialViscosity, Fluid, FluidParticles};
 use mps_io::CurvePlot;
 use mps_kernel::Vector;
@@ -25,7 +25,7 @@ type Column<const D: usize> = Water<D, ArtificialViscosity<f64>>;
 
 fn build<const D: usize>(n: usize) -> Result<Column<D>, Failure> {
     let l0 = HEIGHT / n as f64;
-    let config = heavy_water::<D>(l0, HEIGHT);
+    let config = heavy_water::<f64, D>(l0, HEIGHT, SOUND);
     let mut column = [(WIDTH * n as f64).round() as usize; D];
     (column[0], column[D - 1]) = (n, n);
     let mut tank = column;
@@ -114,19 +114,18 @@ impl Case for DamBreak3d {
         let exact = "every change of energy has a cause";
         let (time, x): (Vec<_>, Vec<_>) = solid.front.iter().copied().unzip();
         let (time2, x2): (Vec<_>, Vec<_>) = flat.front.iter().copied().unzip();
-        Ok(Outcome {
-            measures: vec![
-                Measure::new("front, largest difference", "H", off, 0.0, SAME),
-                Measure::new("energy lost", "E0", solid.lost, flat.lost, SAME),
-                Measure::new("energy by walls", "E0", solid.walls, flat.walls, SAME),
-                Measure::new("energy without a cause", "E0", solid.open, 0.0, exact).within(0.01, 0),
-                Measure::new("leaked particles", "-", solid.leaked as f64, 0.0, "no leak").within(0.0, 0),
-            ],
-            curves: vec![
-                Curve { plot: "front", name: format!("3D, {n} per height"), x: time, y: x },
-                Curve { plot: "front", name: format!("2D, {n} per height"), x: time2, y: x2 },
-            ],
-        })
+        let measures = vec![
+            Measure::new("front, largest difference", "H", off, 0.0, SAME),
+            Measure::new("energy lost", "E0", solid.lost, flat.lost, SAME),
+            Measure::new("energy by walls", "E0", solid.walls, flat.walls, SAME),
+            Measure::new("energy without a cause", "E0", solid.open, 0.0, exact).within(0.01, 0),
+            Measure::new("leaked particles", "-", solid.leaked as f64, 0.0, "no leak").within(0.0, 0),
+        ];
+        let curves = vec![
+            Curve { plot: "front", name: format!("3D, {n} per height"), x: time, y: x },
+            Curve { plot: "front", name: format!("2D, {n} per height"), x: time2, y: x2 },
+        ];
+        Ok(Outcome::new(measures, curves))
     }
 
     fn plots(&self) -> Vec<Plot> {

@@ -1,9 +1,9 @@
 //! A closed tank accelerated sideways: the pressure tilts.
 
+use super::case::{Case, Measure, Outcome, Pace};
 use super::scene::{GRAVITY, RHO, Water, lattice, walls, water};
-use crate::case::{Case, Measure, Outcome, Pace};
-use mps_examples::Failure;
-use mps_examples::series::slope;
+use crate::Failure;
+use crate::series::slope;
 use mps_fluid::{ArtificialViscosity, Fluid, FluidParticles, Tension};
 use mps_kernel::Vector;
 use mps_kernel::weights::WendlandGradient;
@@ -87,7 +87,7 @@ impl Case for Sideways {
             )
             .within(0.01, 40),
         ];
-        Ok(Outcome { measures, curves: Vec::new() })
+        Ok(Outcome::new(measures, Vec::new()))
     }
 }
 

@@ -1,14 +1,18 @@
 //! A standing gravity wave: period and viscous decay.
 
-use super::scene::{GRAVITY, Water, advance, heavy_water, tank};
+use super::case::{Case, Curve, Measure, Outcome, Pace, Plot};
+use super::measures::{in_double, states};
+use super::numerics::{Choice, Numerics, Problem};
+use super::scene::{GRAVITY, SOUND, advance, heavy_water, tank};
 use super::viscous_wave::ViscousWave;
-use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
+use crate::Failure;
+use crate::scene::Viscous;
+use crate::series::{decay_rate, peaks_between, zeros};
 use core::f64::consts::PI;
-use mps_examples::Failure;
-use mps_examples::series::{decay_rate, peaks_between, zeros};
-use mps_fluid::ArtificialViscosity;
+use mps_fluid::Fluid;
 use mps_io::CurvePlot;
-use mps_kernel::Vector;
+use mps_io::scene_file::{Viscosity, Weight};
+use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::Parallel;
 
 /// The wave at one viscosity.
@@ -17,20 +21,25 @@ pub(crate) struct StandingWave {
     about: &'static str,
     /// `H sqrt(g H)/nu`.
     re: f64,
+    choice: Choice,
 }
 
 /// The wave whose period and decay are targets.
-pub(crate) const WAVE: StandingWave = StandingWave {
-    name: "standing-wave",
-    about: "The first mode of a tank 2 m long and 1 m deep, started with the velocities of the linear wave of height 0.03 m under a flat \
+pub(crate) fn wave(choice: Choice) -> StandingWave {
+    StandingWave {
+        name: "standing-wave",
+        about: "The first mode of a tank 2 m long and 1 m deep, started with the velocities of the linear wave of height 0.03 m under a flat \
             surface. Walls with free slip, viscosity along the pairs (`ArtificialViscosity`) that amounts to Re = H sqrt(g H)/nu = 250, c = 10 sqrt(g H), 3.6 periods. \
             Period and decay are those of the share of the mode in the velocities; the decay rate of its square is that of the energy.",
-    re: 250.0,
-};
+        re: 250.0,
+        choice,
+    }
+}
 
 /// More viscous: what the scheme loses without viscosity counts less.
-pub(crate) const VISCOUS: StandingWave =
-    StandingWave { name: "standing-wave-50", about: "As standing-wave, with Re = 50.", re: 50.0 };
+pub(crate) fn viscous(choice: Choice) -> StandingWave {
+    StandingWave { name: "standing-wave-50", about: "As standing-wave, with Re = 50.", re: 50.0, choice }
+}
 
 /// Depth \[m\].
 const DEPTH: f64 = 1.0;
@@ -43,7 +52,7 @@ const K: f64 = 2.0 * PI / LENGTH;
 const LINEAR: &str =
     "linearised Navier-Stokes: (s + 2 nu k^2)^2 + g k tanh(k H) = 4 nu^2 k^3 m tanh(k H) coth(m H)";
 
-type Wave = Water<2, ArtificialViscosity<f64>>;
+type Wave<T, K> = Fluid<T, 2, K, Viscous<T>>;
 
 fn omega() -> f64 {
     (GRAVITY * K * (K * DEPTH).tanh()).sqrt()
@@ -58,29 +67,33 @@ fn mode(r: &Vector<f64, 2>) -> Vector<f64, 2> {
 
 /// Viscosity along the line of each pair: only such a one leaves a free surface without shear stress. The Laplacian
 /// of the velocity, harmless elsewhere, would leave it without `nu du/dn`, and potential flow with half its decay.
-fn build(per_wave: usize, nu: f64) -> Result<Wave, Failure> {
+fn build<T: Real, K: Kernel<T>>(
+    per_wave: usize,
+    nu: f64,
+    weight: K,
+    numerics: &Numerics,
+) -> Result<Wave<T, K>, Failure> {
     let l0 = LENGTH / per_wave as f64;
-    let config = heavy_water::<2>(l0, DEPTH);
-    let c = config.sound_speed;
+    let mut config = heavy_water::<T, 2>(l0, DEPTH, numerics.sound_ratio.unwrap_or(SOUND));
+    numerics.apply(&mut config);
     // alpha c l0/(2 (D + 2)) = nu
-    let alpha = 8.0 * nu / (c * l0);
+    let alpha = 8.0 * nu / (config.sound_speed.to_double() * l0);
     let rows = (DEPTH / l0).round() as usize;
-    let viscosity = |r: &_| ArtificialViscosity::new::<2>(alpha, c, r);
-    let mut fluid = tank([per_wave, rows], config, viscosity)?;
+    let (own, described) = (Viscosity::Artificial(alpha), config.clone());
+    let mut fluid = tank([per_wave, rows], config, weight, |r| numerics.viscous(own, &described, r))?;
     let particles = fluid.particles_mut();
     for (u, r) in particles.velocity.iter_mut().zip(&particles.position) {
-        *u = mode(r) * AMPLITUDE;
+        *u = (mode(&in_double(r)) * AMPLITUDE).map(T::of);
     }
     Ok(fluid)
 }
 
 /// Share of the wave's mode in the velocities, over that of the start.
-fn share(fluid: &Wave) -> f64 {
-    let particles = fluid.particles();
+fn share<T: Real, K: Kernel<T>>(fluid: &Wave<T, K>) -> f64 {
     let (mut along, mut size) = (0.0, 0.0);
-    for (r, u) in particles.position.iter().zip(&particles.velocity) {
-        let mode = mode(r);
-        along += mode.dot(u);
+    for (r, u) in states(fluid.particles()) {
+        let mode = mode(&r);
+        along += mode.dot(&u);
         size += mode.norm_squared();
     }
     along / (size * AMPLITUDE)
@@ -90,6 +103,38 @@ impl StandingWave {
     fn exact(&self) -> ViscousWave {
         let viscosity = DEPTH * (GRAVITY * DEPTH).sqrt() / self.re;
         ViscousWave { k: K, depth: DEPTH, gravity: GRAVITY, viscosity }
+    }
+}
+
+impl Problem for StandingWave {
+    fn solve<T: Real, K: Kernel<T>>(
+        &self,
+        weight: K,
+        n: usize,
+        pace: Pace,
+        parallel: &Parallel,
+    ) -> Result<Outcome, Failure> {
+        let exact = self.exact();
+        let mut fluid = build::<T, K>(n, exact.viscosity, weight, &self.choice.numerics)?;
+        let period = 2.0 * PI / omega();
+        let (mut time, mut amplitude) = (Vec::new(), Vec::new());
+        advance(&mut fluid, parallel, pace.choose(2.6, 3.6) * period, |fluid| {
+            time.push(fluid.time().to_double());
+            amplitude.push(share(fluid));
+        })?;
+        let zeros = zeros(&time, &amplitude);
+        let (first, last) = (zeros.first().copied(), zeros.last().copied());
+        let found = 2.0 * (last.unwrap_or(f64::NAN) - first.unwrap_or(f64::NAN)) / (zeros.len() as f64 - 1.0);
+        let (at, height): (Vec<_>, Vec<_>) = peaks_between(&time, &amplitude, &zeros).into_iter().unzip();
+        let decay = 2.0 * decay_rate(&at, &height);
+        let root = exact.root();
+        let measures = vec![
+            Measure::new("period", "s", found, 2.0 * PI / root.im, LINEAR).within(0.01, 100),
+            Measure::new("decay rate of the energy", "1/s", decay, -2.0 * root.re, LINEAR).within(0.1, 100),
+        ];
+        let time = time.iter().map(|t| t / period).collect();
+        let curves = vec![Curve { plot: "mode", name: format!("{n} per wavelength"), x: time, y: amplitude }];
+        Ok(Outcome::new(measures, curves).of(&fluid))
     }
 }
 
@@ -111,27 +156,7 @@ impl Case for StandingWave {
     }
 
     fn run(&self, n: usize, pace: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {
-        let exact = self.exact();
-        let mut fluid = build(n, exact.viscosity)?;
-        let period = 2.0 * PI / omega();
-        let (mut time, mut amplitude) = (Vec::new(), Vec::new());
-        advance(&mut fluid, parallel, pace.choose(2.6, 3.6) * period, |fluid| {
-            time.push(fluid.time());
-            amplitude.push(share(fluid));
-        })?;
-        let zeros = zeros(&time, &amplitude);
-        let (first, last) = (zeros.first().copied(), zeros.last().copied());
-        let found = 2.0 * (last.unwrap_or(f64::NAN) - first.unwrap_or(f64::NAN)) / (zeros.len() as f64 - 1.0);
-        let (at, height): (Vec<_>, Vec<_>) = peaks_between(&time, &amplitude, &zeros).into_iter().unzip();
-        let decay = 2.0 * decay_rate(&at, &height);
-        let root = exact.root();
-        let measures = vec![
-            Measure::new("period", "s", found, 2.0 * PI / root.im, LINEAR).within(0.01, 100),
-            Measure::new("decay rate of the energy", "1/s", decay, -2.0 * root.re, LINEAR).within(0.1, 100),
-        ];
-        let time = time.iter().map(|t| t / period).collect();
-        let curves = vec![Curve { plot: "mode", name: format!("{n} per wavelength"), x: time, y: amplitude }];
-        Ok(Outcome { measures, curves })
+        self.choice.solve(Weight::Smooth, self, n, pace, parallel)
     }
 
     fn plots(&self) -> Vec<Plot> {

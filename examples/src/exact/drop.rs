@@ -1,17 +1,24 @@
 //! A drop in a central field that swings between a disc and ellipses.
 
-use super::measures::{angular_momentum, angular_size};
-use super::scene::{RHO, Water, advance_in_central_field, lattice, press, water};
-use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
-use mps_examples::Failure;
-use mps_examples::series::zeros;
+use super::case::{Case, Curve, Measure, Outcome, Pace, Plot};
+use super::measures::{angular_momentum, angular_size, in_double, states};
+use super::numerics::{Choice, Numerics, Problem};
+use super::scene::{RHO, advance_in_central_field, lattice, press, water};
+use crate::Failure;
+use crate::scene::Viscous;
+use crate::series::zeros;
 use mps_fluid::{Boundary, Fluid, FluidParticles};
 use mps_io::CurvePlot;
-use mps_kernel::Vector;
-use mps_kernel::weights::WendlandGradient;
+use mps_io::scene_file::Weight;
+use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::{Open, Parallel};
 
-pub(crate) struct Drop;
+pub(crate) struct Drop {
+    pub(crate) choice: Choice,
+}
+
+/// Without viscosity.
+type Inviscid<T, K> = Fluid<T, 2, K, Viscous<T>>;
 
 /// Radius at rest \[m\] and the field's frequency \[1/s\]: acceleration `-omega^2 r`.
 pub(crate) const RADIUS: f64 = 1.0;
@@ -59,73 +66,68 @@ fn period(time: &[f64], strain: &[f64]) -> f64 {
 }
 
 /// A disc cut from the lattice, with its centre between four particles.
-pub(crate) fn disc(per_radius: usize) -> FluidParticles<f64, 2> {
+pub(crate) fn disc<T: Real>(per_radius: usize) -> FluidParticles<T, 2> {
     let l0 = RADIUS / per_radius as f64;
     let mut points = lattice([-RADIUS; 2], [2 * per_radius; 2], l0);
-    points.retain(|r| r.norm() < RADIUS);
+    points.retain(|r: &Vector<T, 2>| in_double(r).norm() < RADIUS);
     FluidParticles::at_rest(points)
 }
 
 /// The strain rate that fits the velocities best.
-fn strain(particles: &FluidParticles<f64, 2>) -> f64 {
+fn strain<T: Real>(particles: &FluidParticles<T, 2>) -> f64 {
     let (mut along, mut size) = (0.0, 0.0);
-    for (r, u) in particles.position.iter().zip(&particles.velocity) {
+    for (r, u) in states(particles) {
         along += r.x * u.x - r.y * u.y;
         size += r.norm_squared();
     }
     along / size
 }
 
-fn build(per_radius: usize) -> Result<Water<2>, Failure> {
-    let config = water(RADIUS / per_radius as f64, 15.0 * OMEGA * RADIUS);
-    let mut particles = disc(per_radius);
+fn build<T: Real, K: Kernel<T>>(
+    per_radius: usize,
+    weight: K,
+    numerics: &Numerics,
+) -> Result<Inviscid<T, K>, Failure> {
+    let sound = numerics.sound_ratio.unwrap_or(15.0);
+    let mut config = water(RADIUS / per_radius as f64, sound * OMEGA * RADIUS);
+    numerics.apply(&mut config);
+    let mut particles = disc::<T>(per_radius);
     for (u, r) in particles.velocity.iter_mut().zip(&particles.position) {
-        *u = Vector::from([STRAIN * r.x, -STRAIN * r.y]);
+        *u = Vector::from([T::of(STRAIN) * r.x, -T::of(STRAIN) * r.y]);
     }
     // At the start, a = b: s' = 0, and p = rho (s^2 + omega^2)(R^2 - r^2)/2.
     let centre = 0.5 * RHO * (STRAIN * STRAIN + OMEGA * OMEGA);
-    press(&mut particles, &config, |r| centre * (RADIUS * RADIUS - r.norm_squared()));
-    Ok(Fluid::new(config, WendlandGradient, |_| (), Open, particles, Boundary::default())?)
+    press(&mut particles, &config, |r| T::of(centre * (RADIUS * RADIUS - in_double(r).norm_squared())));
+    Ok(Fluid::new(config, weight, |_| Viscous::None, Open, particles, Boundary::default())?)
 }
 
 /// Kinetic energy and that in the field \[J\].
-fn energy(fluid: &Water<2>, parallel: &Parallel) -> f64 {
-    let field: f64 = fluid.particles().position.iter().map(Vector::norm_squared).sum();
-    fluid.energy(parallel).total() + 0.5 * fluid.config().particle_mass() * OMEGA * OMEGA * field
+fn energy<T: Real, K: Kernel<T>>(fluid: &Inviscid<T, K>, parallel: &Parallel) -> f64 {
+    let field: f64 = states(fluid.particles()).map(|(r, _)| r.norm_squared()).sum();
+    let mass = fluid.config().particle_mass().to_double();
+    fluid.energy(parallel).total().to_double() + 0.5 * mass * OMEGA * OMEGA * field
 }
 
-impl Case for Drop {
-    fn name(&self) -> &'static str {
-        "drop"
-    }
-
-    fn about(&self) -> &'static str {
-        "A disc of radius 1 m in the field -omega^2 r, omega = 1/s, with the velocity (s x, -s y), s = 0.5/s, swings between ellipses. \
-         Inviscid, c = 15 omega R. The strain rate is the one that fits the velocities best. Momenta are relative to the sum of the sizes of \
-         their terms, the energy (kinetic, field and compression) to that of the start."
-    }
-
-    fn resolution(&self) -> &'static str {
-        "particles per radius"
-    }
-
-    fn resolutions(&self, pace: Pace) -> Vec<usize> {
-        pace.choose(vec![10, 15], vec![12, 25, 50])
-    }
-
-    fn run(&self, n: usize, pace: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {
+impl Problem for Drop {
+    fn solve<T: Real, K: Kernel<T>>(
+        &self,
+        weight: K,
+        n: usize,
+        pace: Pace,
+        parallel: &Parallel,
+    ) -> Result<Outcome, Failure> {
         let end = pace.choose(8.0, 9.5);
-        let mut fluid = build(n)?;
+        let mut fluid = build::<T, K>(n, weight, &self.choice.numerics)?;
         let start = energy(&fluid, parallel);
-        let mass = fluid.config().particle_mass();
-        let size = mass * fluid.particles().velocity.iter().map(Vector::norm).sum::<f64>();
+        let mass = fluid.config().particle_mass().to_double();
+        let size = mass * states(fluid.particles()).map(|(_, u)| u.norm()).sum::<f64>();
         let angular = angular_size(fluid.particles());
         let (mut time, mut rate) = (Vec::new(), Vec::new());
         let (mut drift, mut turn) = (0.0_f64, 0.0_f64);
         advance_in_central_field(&mut fluid, parallel, OMEGA, end, |fluid| {
-            time.push(fluid.time());
+            time.push(fluid.time().to_double());
             rate.push(strain(fluid.particles()));
-            drift = drift.max(fluid.momentum(parallel).norm() / size);
+            drift = drift.max(in_double(&fluid.momentum(parallel)).norm() / size);
             turn = turn.max(angular_momentum(fluid.particles()).abs() / angular);
         })?;
         let (exact_time, states) = exact(end);
@@ -153,7 +155,31 @@ impl Case for Drop {
         });
         measures.extend(momenta);
         let curves = vec![Curve { plot: "strain", name: format!("{n} per radius"), x: time, y: rate }];
-        Ok(Outcome { measures, curves })
+        Ok(Outcome::new(measures, curves).of(&fluid))
+    }
+}
+
+impl Case for Drop {
+    fn name(&self) -> &'static str {
+        "drop"
+    }
+
+    fn about(&self) -> &'static str {
+        "A disc of radius 1 m in the field -omega^2 r, omega = 1/s, with the velocity (s x, -s y), s = 0.5/s, swings between ellipses. \
+         Inviscid, c = 15 omega R. The strain rate is the one that fits the velocities best. Momenta are relative to the sum of the sizes of \
+         their terms, the energy (kinetic, field and compression) to that of the start."
+    }
+
+    fn resolution(&self) -> &'static str {
+        "particles per radius"
+    }
+
+    fn resolutions(&self, pace: Pace) -> Vec<usize> {
+        pace.choose(vec![10, 15], vec![12, 25, 50])
+    }
+
+    fn run(&self, n: usize, pace: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {
+        self.choice.solve(Weight::Smooth, self, n, pace, parallel)
     }
 
     fn plots(&self) -> Vec<Plot> {

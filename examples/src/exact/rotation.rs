@@ -1,11 +1,11 @@
 //! A drop that turns like a rigid body.
 
+use super::case::{Case, Curve, Measure, Outcome, Pace, Plot};
 use super::drop::{RADIUS, disc};
 use super::measures::angular_momentum;
 use super::scene::{RHO, Water, advance_in_central_field, press, water};
-use crate::case::{Case, Curve, Measure, Outcome, Pace, Plot};
+use crate::Failure;
 use core::f64::consts::PI;
-use mps_examples::Failure;
 use mps_fluid::{ArtificialViscosity, Boundary, Fluid};
 use mps_io::CurvePlot;
 use mps_kernel::Vector;
@@ -83,7 +83,7 @@ impl Case for Rotation {
             Measure::new("pressure, L2 error", "p at the centre", pressure, 0.0, RIGID),
         ];
         let curves = vec![Curve { plot: "energy", name: format!("{n} per radius"), x: time, y: kinetic }];
-        Ok(Outcome { measures, curves })
+        Ok(Outcome::new(measures, curves))
     }
 
     fn plots(&self) -> Vec<Plot> {

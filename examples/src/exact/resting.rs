@@ -1,9 +1,11 @@
 //! The same tank for a hundred thousand steps.
 
+use super::case::{Case, Curve, Outcome, Pace, Plot};
 use super::hydrostatic::{Watch, build};
-use crate::case::{Case, Curve, Outcome, Pace, Plot};
-use mps_examples::Failure;
+use super::numerics::Numerics;
+use crate::Failure;
 use mps_io::CurvePlot;
+use mps_kernel::weights::WendlandGradient;
 use mps_neighbors::Parallel;
 
 pub(crate) struct Resting;
@@ -28,7 +30,7 @@ impl Case for Resting {
 
     fn run(&self, n: usize, pace: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {
         let steps = pace.choose(5_000, 100_000);
-        let mut fluid = build::<2>(n)?;
+        let mut fluid = build::<f64, 2, _>(n, WendlandGradient, &Numerics::default())?;
         let start = fluid.energy(parallel).potential;
         let mut watch = Watch::default();
         let (mut step, mut height) = (Vec::new(), Vec::new());
@@ -44,7 +46,7 @@ impl Case for Resting {
         }
         let measures = watch.measures(&fluid, start, parallel);
         let curves = vec![Curve { plot: "height", name: format!("{n} per depth"), x: step, y: height }];
-        Ok(Outcome { measures, curves })
+        Ok(Outcome::new(measures, curves))
     }
 
     fn plots(&self) -> Vec<Plot> {
