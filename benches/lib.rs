@@ -22,7 +22,7 @@ use mps_solid::body::{Face, block, counts};
 use mps_solid::materials::CorotationalHooke;
 use mps_solid::{Solid, SolidConfig};
 
-/// A fluid as the elastic gate uses it.
+/// A fluid with the weight of the paper.
 pub type Water<T, const D: usize> = Fluid<T, D, Rational, ArtificialViscosity<T>>;
 /// A rubber body.
 pub type Rubber<const D: usize = 2> = Solid<f64, D, CorotationalHooke<f64>, WendlandC2>;
@@ -105,7 +105,7 @@ pub struct Features {
 }
 
 impl Features {
-    /// What the elastic gate uses.
+    /// What the elastic gate uses, but for its weight.
     pub const GATE: Self = Self { collisions: true, diffusion: true, walls: true, shifting: 0 };
 }
 
@@ -196,7 +196,7 @@ pub fn gate(across: usize) -> Rubber {
     rubber(lower, upper, cells)
 }
 
-/// The dam break through an elastic gate, at the moment the gate is let go.
+/// The dam break through an elastic gate, at the moment the gate is let go, with the weight of the paper and 4 particles across.
 pub fn gate_scene(l0: f64) -> GateScene {
     let (width, depth) = (0.1, 0.14);
     let sound_speed = 10.0 * (2.0 * GRAVITY * depth).sqrt();

@@ -103,7 +103,7 @@ impl Physics {
 pub struct Recipe(pub &'static [Physics]);
 
 impl Recipe {
-    /// What the elastic gate has, without the gate.
+    /// What the elastic gate has, without the gate, with the weight of the paper.
     pub const GATE: Self = Self(&[Physics::Walls, Physics::Artificial, Physics::Filter, Physics::Collisions]);
 
     /// Whether it has this.

@@ -81,6 +81,12 @@ fn a_run_leaves_its_results_and_does_not_depend_on_the_threads() {
     assert!(time.len() > 40 && time[time.len() - 1] >= 0.05, "{time:?}");
     // The lattice cut by the cylinder settles with a jolt; the inflow will have 2 m/s.
     assert!(speed.iter().all(|speed| *speed < 1.0), "a start from rest: {speed:?}");
+    // What the flag has received is a part of the drag, which is that of cylinder and flag.
+    let (drag, flag) =
+        (table.column("drag [N/m]").unwrap(), table.column("impulse on flag x [N s/m]").unwrap());
+    let total: f64 = time.windows(2).zip(&drag[1..]).map(|(t, drag)| drag * (t[1] - t[0])).sum();
+    let share = flag[flag.len() - 1] / total;
+    assert!((0.01..0.9).contains(&share), "the flag has {share} of an impulse of {total} N s/m");
     let summary = Summary::read(whole.join("summary.json")).unwrap();
     assert!(summary.metrics["interface_momentum_residual"].value < 1e-12);
 }

@@ -37,8 +37,12 @@ pub(super) fn plots(dir: &Path, title: &str, table: &CsvTable, measured: usize) 
         }
     }
     // A run that fails in its first step has no energy that has changed.
+    let picture = dir.join("energies.png");
     if changed {
-        energies.write_png(dir.join("energies.png"))?;
+        energies.write_png(picture)?;
+    } else {
+        // Nor shall that of an earlier run in the same directory be taken for its own.
+        let _ = std::fs::remove_file(picture);
     }
     Ok(())
 }

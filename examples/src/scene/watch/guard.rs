@@ -110,8 +110,8 @@ impl Guard {
         from: u64,
     ) -> Option<Setbacks> {
         let (failed, substeps) = (failed(failure, world), world.substeps() as u64);
-        let halved = if world.fluid().is_some() { 2 } else { 1 };
-        let setback = Setback { failed, from, substeps, halved };
+        let steps_for_one = if world.fluid().is_some() { 2 } else { 1 };
+        let setback = Setback { failed, from, substeps, steps_for_one };
         let pace = self.pace.after(setback, self.watch.on_failure)?;
         Some(Setbacks { pace, remarks: self.remarks.clone() })
     }

@@ -25,9 +25,8 @@ pub(super) struct Setback {
     pub(super) from: u64,
     /// Sub-steps of bodies in the step that failed.
     pub(super) substeps: u64,
-    /// How many steps are counted in place of one when they are halved: 1 for bodies alone, where a step is a row of the table whatever its
-    /// sub-steps.
-    pub(super) halved: u64,
+    /// Steps that take the place of one when they are halved: 2; 1 for bodies alone, where a step is a row of the table whatever its sub-steps.
+    pub(super) steps_for_one: u64,
 }
 
 impl Pace {
@@ -39,7 +38,7 @@ impl Pace {
         }
         let halvings = self.halvings + 1;
         // In half the step a fluid takes twice as many to where it failed.
-        let way = setback.halved * (setback.failed + 1 - setback.from);
+        let way = setback.steps_for_one * (setback.failed + 1 - setback.from);
         Some(Self {
             halvings,
             // The first failure says how many there were at full length.
@@ -76,17 +75,17 @@ mod tests {
 
     #[test]
     fn a_run_slows_down_twice_and_then_stops() {
-        let failure = Setback { failed: 119, from: 50, substeps: 7, halved: 2 };
+        let failure = Setback { failed: 119, from: 50, substeps: 7, steps_for_one: 2 };
         assert_eq!(Pace::default().after(failure, OnFailure::Stop), None);
         let first = Pace::default().after(failure, TWICE).unwrap_or_default();
         assert_eq!(first, Pace { halvings: 1, substeps: 7, until: 50 + 140 + 200, tries: 1 });
         // It comes as far in twice as many steps, and fails there again.
-        let again = Setback { failed: 189, from: 50, substeps: 9, halved: 2 };
+        let again = Setback { failed: 189, from: 50, substeps: 9, steps_for_one: 2 };
         let second = first.after(again, TWICE).unwrap_or_default();
         assert_eq!(second, Pace { halvings: 2, substeps: 7, until: 50 + 280 + 200, tries: 2 });
         assert_eq!(second.after(again, TWICE), None);
         // For bodies alone it is as many rows as before.
-        let rows = Pace::default().after(Setback { halved: 1, ..failure }, TWICE).unwrap_or_default();
+        let rows = Pace::default().after(Setback { steps_for_one: 1, ..failure }, TWICE).unwrap_or_default();
         assert_eq!(rows.until, 50 + 70 + 200);
         assert_eq!(second.recovered(), Pace { tries: 2, ..Pace::default() });
     }
