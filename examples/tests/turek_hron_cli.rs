@@ -81,12 +81,14 @@ fn a_run_leaves_its_results_and_does_not_depend_on_the_threads() {
     assert!(time.len() > 40 && time[time.len() - 1] >= 0.05, "{time:?}");
     // The lattice cut by the cylinder settles with a jolt; the inflow will have 2 m/s.
     assert!(speed.iter().all(|speed| *speed < 1.0), "a start from rest: {speed:?}");
-    // What the flag has received is a part of the drag, which is that of cylinder and flag.
+    // Hardly anything flows yet. The level of the pressure, 2 rho u^2, pushes the end of the flag, 0.02 m wide, which the cylinder bears
+    // from the other side: drag, which is that of both, does not contain it.
     let (drag, flag) =
         (table.column("drag [N/m]").unwrap(), table.column("impulse on flag x [N s/m]").unwrap());
-    let total: f64 = time.windows(2).zip(&drag[1..]).map(|(t, drag)| drag * (t[1] - t[0])).sum();
-    let share = flag[flag.len() - 1] / total;
-    assert!((0.01..0.9).contains(&share), "the flag has {share} of an impulse of {total} N s/m");
+    let both: f64 = time.windows(2).zip(&drag[1..]).map(|(t, drag)| drag * (t[1] - t[0])).sum();
+    let (flag, by_level) = (flag[flag.len() - 1], -2.0 * 1000.0 * 2.0 * 2.0 * 0.02 * 0.05);
+    assert!((flag / by_level - 1.0).abs() < 0.3, "{flag} N s/m on the flag, {by_level} by the level");
+    assert!(both.abs() < 0.1 * flag.abs(), "{both} N s/m on both, {flag} on the flag");
     let summary = Summary::read(whole.join("summary.json")).unwrap();
     assert!(summary.metrics["interface_momentum_residual"].value < 1e-12);
 }
