@@ -13,12 +13,16 @@ use mps_neighbors::Parallel;
 /// Length of a step \[s\]: far below what would move a particle by half a skin in a whole benchmark.
 const NO_TIME: f64 = 1e-12;
 
+/// What the gate has, and the shifting of the paper.
+const SHIFTED: Features = Features { shifting: 5, ..Features::GATE };
+
 fn step<T: Real, const D: usize>(water: &mut Water<T, D>, parallel: &Parallel) {
     water.begin_step(parallel).expect("a finite state");
     water.finish_step(parallel, T::of(NO_TIME));
 }
 
-/// The momentum half, the density half and both, without collisions and with.
+/// The momentum half and the density half without collisions, whole steps with them, and with shifting as well; inside the pool, as the time
+/// loop of a program is.
 fn halves<T: Real, const D: usize>(criterion: &mut Criterion, cells: [usize; D], name: &str) {
     let mut group = criterion.benchmark_group(format!("fluid/{name}"));
     for parallel in pools() {
@@ -28,19 +32,21 @@ fn halves<T: Real, const D: usize>(criterion: &mut Criterion, cells: [usize; D],
         // Pairs a second, to be held against the limit.
         group.throughput(Throughput::Elements(water.pairs() as u64));
         group.bench_function(BenchmarkId::new("momentum", threads), |bencher| {
-            bencher.iter(|| water.begin_step(&parallel));
+            parallel.install(|| bencher.iter(|| water.begin_step(&parallel)));
         });
         group.bench_function(BenchmarkId::new("density", threads), |bencher| {
-            bencher.iter(|| water.finish_step(&parallel, T::of(NO_TIME)));
+            parallel.install(|| bencher.iter(|| water.finish_step(&parallel, T::of(NO_TIME))));
         });
-        let mut water = tank::<T, D>(cells, Features::GATE);
-        step(&mut water, &parallel);
         // Particle steps a second.
         group.throughput(Throughput::Elements(cells.iter().product::<usize>() as u64));
-        group.bench_function(BenchmarkId::new("step", threads), |bencher| {
-            bencher.iter(|| step(&mut water, &parallel));
-        });
-        assert_eq!(water.rebuilds(), 1, "the steps were meant to leave the rows alone");
+        for (whole, features) in [("step", Features::GATE), ("shifted_step", SHIFTED)] {
+            let mut water = tank::<T, D>(cells, features);
+            step(&mut water, &parallel);
+            group.bench_function(BenchmarkId::new(whole, threads), |bencher| {
+                parallel.install(|| bencher.iter(|| step(&mut water, &parallel)));
+            });
+            assert_eq!(water.rebuilds(), 1, "the steps were meant to leave the rows alone");
+        }
     }
 }
 

@@ -94,11 +94,12 @@ macro_rules! limit {
                 group.throughput(Throughput::Elements(rows.indices.len() as u64));
                 for parallel in pools() {
                     group.bench_function(BenchmarkId::new(what, parallel.threads()), |bencher| {
-                        bencher.iter(|| {
+                        let mut once = || {
                             let (points, field) = (black_box(&points[..]), black_box(&field[..]));
                             let scene = Scene { points, field, rows: &rows, re2 };
                             parallel.sweep(gradient.as_mut_slice(), &scene);
-                        });
+                        };
+                        parallel.install(|| bencher.iter(&mut once));
                     });
                 }
                 let serial = Parallel::serial();

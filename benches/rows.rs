@@ -44,7 +44,8 @@ fn rows<T: Real, const D: usize>(criterion: &mut Criterion, cells_per_axis: [usi
         });
         cells.build(&parallel, &Open, &ordered.position, reach).expect("finite positions");
         group.bench_function(BenchmarkId::new("build_within", threads), |bencher| {
-            bencher.iter(|| rows.build_within(&parallel, &Open, &cells, &ordered.position, reach));
+            let mut build = || rows.build_within(&parallel, &Open, &cells, &ordered.position, reach);
+            parallel.install(|| bencher.iter(&mut build));
         });
     }
 }

@@ -21,15 +21,16 @@ fn solid(criterion: &mut Criterion) {
             let dt = body.max_step(&parallel);
             group.throughput(Throughput::Elements(particles));
             group.bench_function(BenchmarkId::new(format!("{name}/force"), parallel.threads()), |bencher| {
-                bencher.iter(|| body.refresh(&parallel));
+                parallel.install(|| bencher.iter(|| body.refresh(&parallel)));
             });
             group.throughput(Throughput::Elements(particles * SUBSTEPS as u64));
             let id = BenchmarkId::new(format!("{name}/substep"), parallel.threads());
             group.bench_function(id, |bencher| {
-                bencher.iter(|| {
+                let mut advance = || {
                     body.advance(&parallel, &no_load, &gravity, dt * SUBSTEPS as f64, SUBSTEPS)
                         .expect("a stable step");
-                });
+                };
+                parallel.install(|| bencher.iter(&mut advance));
             });
         }
     }
