@@ -1,7 +1,10 @@
 //! Runs that fail: what they leave behind names the particle and goes through the failure again, and some are passed with shorter steps.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
+mod bodies;
+#[path = "../common/mod.rs"]
 mod common;
+mod retry;
 
 use common::{execute, fresh, words};
 use mps_io::checkpoint::Rotation;
@@ -248,99 +251,6 @@ fn a_body_that_is_turned_inside_out_is_examined_and_comes_again() {
     comes_again(&dir, &said);
 }
 
-/// What a run says of the failures from which it has gone back.
-fn retries(dir: &Path) -> Vec<String> {
-    let notes = Summary::read(dir.join("summary.json")).unwrap().notes;
-    notes.into_iter().filter(|note| note.starts_with("retry ")).collect()
-}
-
-/// The table has no time twice, although the run has gone back.
-fn assert_in_order(dir: &Path) {
-    let table = CsvTable::read(dir.join("probes.csv")).unwrap();
-    assert!(table.columns[0].is_sorted_by(|a, b| a < b));
-}
-
-#[test]
-fn a_run_passes_with_shorter_steps_what_stops_it_otherwise() {
-    let scene = water("passed", &unstable("0.9"), "");
-    broken("not-passed", &scene, &[]);
-    let dir = fresh("post-mortem", "passed");
-    let run = ["run", scene.to_str().unwrap(), "--on-failure", "retry", "--quiet", "--threads", "1"];
-    let output = execute(MPS, &dir, &run);
-    assert!(output.status.success(), "{}", words(&output.stderr));
-    let tries = retries(&dir);
-    assert!(!tries.is_empty() && tries.len() <= 3, "{tries:?}");
-    assert!(tries[0].contains("with 0.5 of the Courant number"), "{tries:?}");
-    assert_eq!(Summary::read(dir.join("summary.json")).unwrap().status, "completed");
-    assert!(!dir.join("post-mortem").exists());
-    assert_in_order(&dir);
-    // The run says what it is, and is the same again on any number of threads.
-    let again = fresh("post-mortem", "passed-again");
-    let scene = dir.join("scene.toml");
-    let output = execute(MPS, &again, &["run", scene.to_str().unwrap(), "--quiet", "--threads", "2"]);
-    assert!(output.status.success(), "{}", words(&output.stderr));
-    let [one, other] = [&dir, &again].map(|dir| std::fs::read(dir.join("probes.csv")).unwrap());
-    assert!(one == other && retries(&again) == tries);
-}
-
-/// The fluid takes shorter steps than this Courant number asks for, and half of it would be the same steps again.
-#[test]
-fn a_retry_halves_the_steps_that_were_taken() {
-    let scene = water("capped", &unstable("2.0"), "");
-    let dir = fresh("post-mortem", "capped");
-    let run = ["run", scene.to_str().unwrap(), "--on-failure", "retry", "--quiet", "--threads", "1"];
-    execute(MPS, &dir, &run);
-    let failures: Vec<_> =
-        retries(&dir).iter().map(|note| note.split_once("after: ").unwrap().1.to_owned()).collect();
-    assert!(!failures.is_empty() && failures.windows(2).all(|pair| pair[0] != pair[1]), "{failures:?}");
-}
-
-/// Shorter steps are part of the state: a run that is stopped while it makes them makes them when it is resumed.
-#[test]
-fn a_run_that_goes_on_within_shorter_steps_has_the_same_bits() {
-    let retry = "[watch]\non_failure = { retry = { steps = 1000000, times = 3 } }\n";
-    let scene = water("slow", &unstable("0.9"), retry);
-    let run = |name: &str, more: &[&str]| {
-        let dir = fresh("post-mortem", name);
-        let arguments = ["run", scene.to_str().unwrap(), "--no-fields", "--quiet", "--threads", "1"];
-        let output = execute(MPS, &dir, &[&arguments[..], more].concat());
-        assert!(output.status.success(), "{}", words(&output.stderr));
-        dir
-    };
-    let (whole, parts) = (run("slow-whole", &[]), run("slow-parts", &["--end-time", "0.4"]));
-    let tries = retries(&parts);
-    assert!(!tries.is_empty(), "the first part has gone back");
-    let resume = ["--end-time", "0.5", "--quiet", "--threads", "2"];
-    let output = Command::new(MPS).arg("resume").arg(&parts).args(resume).output().unwrap();
-    assert!(output.status.success(), "{}", words(&output.stderr));
-    assert_eq!(
-        (retries(&whole), retries(&parts)),
-        (tries.clone(), tries),
-        "nothing fails in the second part"
-    );
-    let [one, other] = [&whole, &parts].map(|dir| std::fs::read(dir.join("probes.csv")).unwrap());
-    assert!(one == other);
-}
-
-#[test]
-fn a_run_that_cannot_be_passed_gives_up_after_its_tries() {
-    // Steps of a quarter have not collapsed: they are shorter on purpose.
-    let retry = "collapse = 0.3\non_failure = { retry = { steps = 40, times = 2 } }\n";
-    let scene = water("given-up", CALM, &[REGION, retry].concat());
-    let (dir, said) = broken("given-up", &scene, &[]);
-    assert!(said.contains("has left the region"), "{said}");
-    let tries = retries(&dir);
-    assert_eq!(tries.len(), 2, "{tries:?}");
-    assert!(tries[0].contains("with 0.5 of the Courant number"), "{tries:?}");
-    assert!(tries[1].contains("with 0.25 of the Courant number"), "{tries:?}");
-    assert!(tries[1].contains("has left the region"), "{tries:?}");
-    assert_in_order(&dir);
-    comes_again(&dir, &said);
-    // The flag of the run outdoes the scene.
-    let (dir, _) = broken("not-tried", &scene, &["--on-failure", "stop"]);
-    assert!(retries(&dir).is_empty());
-}
-
 /// Watching more changes nothing in a run that does not fail.
 #[test]
 fn a_watched_run_has_the_bits_of_any_other() {
@@ -352,90 +262,4 @@ fn a_watched_run_has_the_bits_of_any_other() {
         std::fs::read(dir.join("probes.csv")).unwrap()
     });
     assert!(tables[0] == tables[1]);
-}
-
-/// A bar of this material that is held at its left end and thrown with this speed (m/s) against it, alone.
-fn bar(name: &str, material: &str, speed: &str, watch: &str) -> PathBuf {
-    let text = format!(
-        r#"title = "A bar that is thrown"
-end_time = 0.03
-
-[[solids]]
-name = "bar"
-region = {{ box = {{ lower = [0.0, 0.0], upper = [0.1, 0.02] }} }}
-spacing = 5e-3
-density = 1000
-material = {{ {material} = {{ youngs_modulus = 1e6, poissons_ratio = 0.3 }} }}
-clamp = {{ sides = ["left"] }}
-velocity = {{ uniform = [{speed}, 0.0] }}
-
-[output]
-probe_interval = 1e-3
-
-[watch]
-{watch}
-"#
-    );
-    file(name, &text)
-}
-
-/// A body is turned inside out by a sub-step that is too long for the speed it has, and its material would have held.
-#[test]
-fn bodies_alone_pass_with_shorter_sub_steps_what_stops_them_otherwise() {
-    let retry = "steps = 1\non_failure = { retry = { steps = 10, times = 3 } }";
-    let scene = bar("thrown", "neo_hookean", "30.0", retry);
-    let (dir, said) = broken("thrown-stopped", &scene, &["--on-failure", "stop"]);
-    assert!(said.contains("is turned inside out (det F = -"), "{said}");
-    assert!(report(&dir).contains("There is no fluid."));
-    comes_again(&dir, &said);
-    let passed = |name: &str, threads: &str| {
-        let dir = fresh("post-mortem", name);
-        let output = execute(MPS, &dir, &["run", scene.to_str().unwrap(), "--quiet", "--threads", threads]);
-        assert!(output.status.success(), "{}", words(&output.stderr));
-        dir
-    };
-    let (one, other) = (passed("thrown", "1"), passed("thrown-again", "2"));
-    let tries = retries(&one);
-    assert!(!tries.is_empty() && tries.len() <= 3, "{tries:?}");
-    assert!(tries[0].contains("with 0.5 of the Courant number"), "{tries:?}");
-    assert_in_order(&one);
-    // Shorter where it failed, and of the usual length again from ten rows behind the failure on.
-    let table = CsvTable::read(one.join("probes.csv")).unwrap();
-    let steps = &table.column("time step [s]").unwrap()[1..];
-    let (usual, shortest) = (steps[0], steps.iter().copied().fold(f64::INFINITY, f64::min));
-    let wanted = usual * 0.5_f64.powi(tries.len() as i32);
-    assert!((shortest / wanted - 1.0).abs() < 1e-12, "{shortest} for {wanted}");
-    let last = tries.last().unwrap();
-    let until: usize = number_behind(last, "until step ").parse().unwrap();
-    let failed: f64 =
-        last.split("structure 0 at t = ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
-    assert_eq!(until, (failed / 1e-3).round() as usize + 1 + 10, "{last}");
-    assert!(steps[until - 1] < usual && steps[until..].iter().all(|step| *step == usual), "{steps:?}");
-    assert!(steps.len() > until);
-    let [a, b] = [&one, &other].map(|dir| std::fs::read(dir.join("probes.csv")).unwrap());
-    assert!(a == b && retries(&other) == tries);
-}
-
-/// This material does not resist being turned inside out, in however short a step.
-#[test]
-fn bodies_alone_that_no_step_can_save_are_given_up_after_the_tries() {
-    let scene = bar("crushed", "saint_venant", "10.0", "steps = 1");
-    let (dir, said) = broken("crushed", &scene, &["--on-failure", "retry"]);
-    assert!(said.contains("is turned inside out") && said.contains("try NeoHookean"), "{said}");
-    let tries = retries(&dir);
-    for (k, share) in ["0.5", "0.25", "0.125"].iter().enumerate() {
-        assert!(tries[k].contains(&format!("with {share} of the Courant number")), "{tries:?}");
-    }
-    assert_eq!(tries.len(), 3);
-    comes_again(&dir, &said);
-}
-
-/// The plot of energies that have not changed yet could not be drawn, which was told instead of the failure.
-#[test]
-fn a_failure_in_the_first_step_is_told() {
-    let (dir, said) = broken("at-once", &bar("at-once", "saint_venant", "40.0", ""), &[]);
-    assert!(said.contains("structure 0 at t = 0e0 s: particle "), "{said}");
-    let summary = Summary::read(dir.join("summary.json")).unwrap();
-    assert!(summary.status.contains("is turned inside out"), "{}", summary.status);
-    comes_again(&dir, &said);
 }
