@@ -9,11 +9,14 @@
 //! - [`Parallel`] runs loops whose results do not depend on the number of threads, which
 //!   [`state_hash`] makes visible.
 
+mod fields;
 mod frozen;
+mod halves;
 mod parallel;
 
+pub use fields::Fields;
 pub use frozen::{FrozenError, FrozenPair, FrozenPairs};
-pub use parallel::{Fields, Parallel, ParallelError, Sweep};
+pub use parallel::{Parallel, ParallelError, Sweep};
 
 mod brute;
 mod cells;

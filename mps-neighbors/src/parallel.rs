@@ -1,15 +1,13 @@
 //! Parallel loops whose results do not depend on the number of threads.
 //!
-//! Work is halved recursively at multiples of a fixed block of particles, whatever the pool: the
-//! tree, and with it the order of every sum, is a function of the number of particles alone. Each
-//! loop writes only to its own particle ("gather"), so there is no lock and no scatter.
+//! Each loop writes only to its own particle ("gather"), so there is no lock and no scatter; sums are
+//! added in the order of a tree that is the same for any pool.
 
+use crate::fields::Fields;
+use crate::halves::{BLOCK, FEW, fold_halves, halve, halve_leaves, halve_to};
 use fearless_simd::{Level, Simd};
 use mps_kernel::Real;
 use thiserror::Error;
-
-/// Particles a leaf of the recursion handles in sequence.
-const BLOCK: usize = 512;
 
 /// The threads a simulation runs on.
 ///
@@ -105,7 +103,7 @@ impl Parallel {
     /// of slices of equal length, `item` the references to entry `i` of each.
     pub fn update<F: Fields>(&self, fields: F, each: impl Fn(usize, F::Item) + Sync) {
         match &self.pool {
-            Some(_) if fields.len() > BLOCK => self.install(|| halve(fields, 0, &each)),
+            Some(_) if fields.len() > FEW => self.install(|| halve(fields, 0, &each)),
             _ => fields.for_each(0, &each),
         }
     }
@@ -116,7 +114,7 @@ impl Parallel {
         let level = self.level;
         let leaf = |fields: F, first: usize| run_at(level, fields, first, sweep);
         match &self.pool {
-            Some(_) if fields.len() > BLOCK => self.install(|| halve_leaves(BLOCK, fields, 0, &leaf)),
+            Some(_) if fields.len() > FEW => self.install(|| halve_leaves(BLOCK, fields, 0, &leaf)),
             _ => leaf(fields, 0),
         }
     }
@@ -161,118 +159,12 @@ impl Parallel {
         value: &(impl Fn(usize) -> A + Sync),
         combine: &(impl Fn(A, A) -> A + Sync),
     ) -> A {
-        if self.pool.is_some() && len > BLOCK {
+        if self.pool.is_some() && len > FEW {
             self.install(|| fold_halves(0, len, start, value, combine, true))
         } else {
             fold_halves(0, len, start, value, combine, false)
         }
     }
-}
-
-/// One or several mutable slices of equal length that can be cut in two.
-pub trait Fields: Send + Sized {
-    /// References to one entry of every slice.
-    type Item;
-    /// Length of the shortest slice.
-    fn len(&self) -> usize;
-    /// Whether there is no entry.
-    fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-    /// Cuts every slice at `middle`.
-    fn cut(self, middle: usize) -> (Self, Self);
-    /// Visits the entries in order; the first one is particle `first`.
-    fn for_each(self, first: usize, each: impl Fn(usize, Self::Item));
-}
-
-impl<'a, A: Send> Fields for &'a mut [A] {
-    type Item = &'a mut A;
-
-    fn len(&self) -> usize {
-        <[A]>::len(self)
-    }
-
-    fn cut(self, middle: usize) -> (Self, Self) {
-        self.split_at_mut(middle)
-    }
-
-    #[inline(always)]
-    fn for_each(self, first: usize, each: impl Fn(usize, Self::Item)) {
-        for (k, item) in self.iter_mut().enumerate() {
-            each(first + k, item);
-        }
-    }
-}
-
-macro_rules! fields_of_tuple {
-    ($($slice:ident $head:ident $tail:ident),+) => {
-        impl<'a, $($slice: Send),+> Fields for ($(&'a mut [$slice],)+) {
-            type Item = ($(&'a mut $slice,)+);
-
-            #[allow(non_snake_case)]
-            fn len(&self) -> usize {
-                let ($($slice,)+) = self;
-                usize::MAX$(.min($slice.len()))+
-            }
-
-            #[allow(non_snake_case)]
-            fn cut(self, middle: usize) -> (Self, Self) {
-                let ($($slice,)+) = self;
-                $(let ($head, $tail) = $slice.split_at_mut(middle);)+
-                (($($head,)+), ($($tail,)+))
-            }
-
-            #[inline(always)]
-            #[allow(non_snake_case)]
-            fn for_each(self, first: usize, each: impl Fn(usize, Self::Item)) {
-                let len = self.len();
-                let ($($slice,)+) = self;
-                $(let mut $slice = $slice[..len].iter_mut();)+
-                for k in 0..len {
-                    // All iterators yield exactly `len` entries.
-                    if let ($(Some($head),)+) = ($($slice.next(),)+) {
-                        each(first + k, ($($head,)+));
-                    }
-                }
-            }
-        }
-    };
-}
-
-fields_of_tuple!(A a0 a1, B b0 b1);
-fields_of_tuple!(A a0 a1, B b0 b1, C c0 c1);
-fields_of_tuple!(A a0 a1, B b0 b1, C c0 c1, E e0 e1);
-fields_of_tuple!(A a0 a1, B b0 b1, C c0 c1, E e0 e1, G g0 g1);
-
-/// [`Parallel::update`] on the pool the caller runs in, or on the calling thread if in none.
-pub(crate) fn in_pool<F: Fields>(fields: F, each: &(impl Fn(usize, F::Item) + Sync)) {
-    if rayon::current_thread_index().is_some() {
-        halve(fields, 0, each);
-    } else {
-        fields.for_each(0, each);
-    }
-}
-
-/// Where to cut `len` entries: near the middle, at a multiple of the block.
-fn middle(block: usize, len: usize) -> usize {
-    (len.div_ceil(block) / 2).max(1) * block
-}
-
-fn halve<F: Fields>(fields: F, first: usize, each: &(impl Fn(usize, F::Item) + Sync)) {
-    halve_to(BLOCK, fields, first, each);
-}
-
-fn halve_to<F: Fields>(block: usize, fields: F, first: usize, each: &(impl Fn(usize, F::Item) + Sync)) {
-    halve_leaves(block, fields, first, &|fields: F, first| fields.for_each(first, each));
-}
-
-fn halve_leaves<F: Fields>(block: usize, fields: F, first: usize, leaf: &(impl Fn(F, usize) + Sync)) {
-    if fields.len() <= block {
-        return leaf(fields, first);
-    }
-    let cut = middle(block, fields.len());
-    let (left, right) = fields.cut(cut);
-    rayon::join(|| halve_leaves(block, left, first, leaf), || halve_leaves(block, right, first + cut, leaf));
 }
 
 /// The entries of one leaf, with AVX-512 or AVX2 where there is one, else with what every processor of its kind has.
@@ -310,24 +202,6 @@ fn run<S: Simd, F: Fields>(simd: S, fields: F, first: usize, sweep: &impl Sweep<
     );
 }
 
-fn fold_halves<A: Copy + Send + Sync>(
-    first: usize,
-    len: usize,
-    start: A,
-    value: &(impl Fn(usize) -> A + Sync),
-    combine: &(impl Fn(A, A) -> A + Sync),
-    threads: bool,
-) -> A {
-    if len <= BLOCK {
-        return (first..first + len).fold(start, |sum, i| combine(sum, value(i)));
-    }
-    let cut = middle(BLOCK, len);
-    let left = || fold_halves(first, cut, start, value, combine, threads);
-    let right = || fold_halves(first + cut, len - cut, start, value, combine, threads);
-    let (a, b) = if threads { rayon::join(left, right) } else { (left(), right()) };
-    combine(a, b)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -348,7 +222,7 @@ mod tests {
     #[test]
     fn update_reaches_every_entry_once() {
         let parallel = Parallel::new(3).unwrap();
-        for len in [0, 1, BLOCK, BLOCK + 1, 3 * BLOCK + 17] {
+        for len in [0, 1, FEW, FEW + 1, 6 * BLOCK + 17] {
             let mut a = vec![0usize; len];
             let mut b = vec![0usize; len];
             parallel.update((a.as_mut_slice(), b.as_mut_slice()), |i, (a, b)| {

@@ -1,7 +1,7 @@
 //! Moving particles in memory, so that neighbours in space are neighbours in the cache.
 
 use crate::NeighborError;
-use crate::parallel::in_pool;
+use crate::halves::in_pool;
 use bytemuck::Pod;
 use mps_kernel::{FieldVisitor, ParticleStore};
 
