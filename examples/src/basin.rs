@@ -8,7 +8,7 @@ use mps_kernel::{Real, Vector};
 /// Effective radius of water with a free surface, over the spacing.
 pub const RADIUS_RATIO: f64 = 4.0;
 /// Points of a wall along a spacing: smooth to water that slides by.
-const FINE: usize = 2;
+pub const FINE: usize = 2;
 /// Layers of points of a wall, as deep as the effective radius.
 const LAYERS: usize = FINE * RADIUS_RATIO as usize;
 

@@ -90,6 +90,16 @@ impl Settings {
         2.0 * CLEARANCE + THICKNESS
     }
 
+    /// Rows of the water's particles that the side walls stand above it.
+    fn rows_above(&self) -> usize {
+        (Self::depth() / self.spacing).round() as usize / 4
+    }
+
+    /// Upper end of the side walls \[m\].
+    pub fn top(&self) -> f64 {
+        Self::depth() + self.rows_above() as f64 * self.spacing
+    }
+
     /// Numerical sound speed \[m/s\].
     pub fn sound_speed(&self) -> f64 {
         self.sound_ratio * (GRAVITY * Self::depth()).sqrt()
@@ -168,7 +178,7 @@ fn water<T: Real>(
     let places = basin::lattice([0.0; 2], counts, l0).into_iter().filter(|r| !in_beam(r)).collect();
     let mut particles = FluidParticles::at_rest(places);
     basin::press(&mut particles, &config, |r| T::of(WATER * GRAVITY) * (T::of(Settings::depth()) - r[1]));
-    let walls = basin::walls(counts, Some(counts[1] / 4), l0);
+    let walls = basin::walls(counts, Some(settings.rows_above()), l0);
     let viscosity = |reference: &_| LaminarViscosity::new::<2>(T::of(settings.viscosity), reference);
     Ok(Fluid::new(config, WendlandGradient, viscosity, Open, particles, walls)?)
 }

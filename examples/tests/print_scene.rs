@@ -1,56 +1,30 @@
-//! `--print-scene`: what a program prints is a good scene, running it gives the numbers of the program, and it can be stopped and resumed.
+//! `--print-scene`: what a program prints is a good scene, and running it gives the numbers of the program. That it can be stopped and
+//! resumed is in `restart_matrix.rs`.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
 mod common;
 
-use common::{assert_same, assert_same_plate, fresh, results, words};
+use common::{assert_same, assert_same_plate, print, printed, results, words};
 use mps_io::CsvTable;
-use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Command;
 
 const MPS: &str = env!("CARGO_BIN_EXE_mps");
 const GATE: &str = env!("CARGO_BIN_EXE_elastic-gate");
 const DAM: &str = env!("CARGO_BIN_EXE_dam-break");
 const PLATE: &str = env!("CARGO_BIN_EXE_cantilever");
 const CHANNEL: &str = env!("CARGO_BIN_EXE_turek-hron");
-
-fn print(program: &str, arguments: &[&str]) -> Output {
-    Command::new(program).args(arguments).arg("--print-scene").output().unwrap()
-}
+const FLAG: &str = env!("CARGO_BIN_EXE_flag-structure");
+const BEAM: &str = env!("CARGO_BIN_EXE_submerged-beam");
 
 /// The tables of a program and of the scene that it prints.
 fn both(program: &str, name: &str, arguments: &[&str]) -> [CsvTable; 2] {
-    let printed = print(program, arguments);
-    assert!(printed.status.success() && printed.stderr.is_empty(), "{name}: {}", words(&printed.stderr));
-    let dir = fresh("printed", name);
-    std::fs::create_dir_all(&dir).unwrap();
-    let file = dir.join("scene.toml");
-    std::fs::write(&file, &printed.stdout).unwrap();
+    let file = printed(program, name, arguments);
     let checked = Command::new(MPS).arg("check").arg(&file).output().unwrap();
     assert!(checked.status.success(), "{name}: {}", words(&checked.stderr));
     let (mine, _) = results(MPS, &format!("{name}-printed"), &["run", file.to_str().unwrap()]);
     let (theirs, _) = results(program, &format!("{name}-program"), arguments);
     assert!(mine.columns[0].len() > 5, "{name}: too few rows");
-    goes_on(name, &file, &mine);
     [mine, theirs]
-}
-
-/// What is printed can be stopped and resumed, and has the numbers of the run in one piece, to the last bit.
-fn goes_on(name: &str, file: &Path, whole: &CsvTable) {
-    let end = *whole.columns[0].last().unwrap();
-    let name = format!("{name}-stopped");
-    let half = format!("{:e}", 0.45 * end);
-    let begin = ["run", file.to_str().unwrap(), "--end-time", &half, "--threads", "2"];
-    let (first, _) = results(MPS, &name, &begin);
-    assert!(*first.columns[0].last().unwrap() < 0.6 * end);
-    // The last step of the whole run ends there, whatever the rounding.
-    let dir = Path::new(env!("CARGO_TARGET_TMPDIR")).join("scenes").join(&name);
-    let resume =
-        ["resume", dir.to_str().unwrap(), "--end-time", &format!("{:e}", end * (1.0 - 1e-9)), "--quiet"];
-    let output = Command::new(MPS).args(resume).output().unwrap();
-    assert!(output.status.success(), "{name}: {}", words(&output.stderr));
-    let parts = CsvTable::read(dir.join("probes.csv")).unwrap();
-    assert!(parts.names == whole.names && parts.columns == whole.columns, "{name}");
 }
 
 #[test]
@@ -98,6 +72,30 @@ fn the_channel_prints_its_scenes() {
     assert_same(&mine, &theirs, &[force.as_slice(), &step].concat(), 1e-9);
 }
 
+#[test]
+fn the_flag_prints_its_scenes() {
+    for clamp in ["arc", "plane"] {
+        let options = ["--across", "4", "--clamp", clamp, "--end-time", "0.05"];
+        let [mine, theirs] = both(FLAG, &format!("flag-{clamp}"), &options);
+        assert_same_plate(&mine, &theirs);
+    }
+}
+
+#[test]
+fn the_beam_in_water_prints_its_scene() {
+    let options = ["--density", "800", "--viscosity", "0", "--cfl", "0.4", "--end-time", "0.3"];
+    let [mine, theirs] = both(BEAM, "beam", &options);
+    let columns = [
+        ("time [s]", "time [s]"),
+        ("end y [m]", "deflection [m]"),
+        ("solid kinetic [J/m]", "beam kinetic [J/m]"),
+        ("solid strain [J/m]", "beam strain [J/m]"),
+        ("fluid kinetic [J/m]", "fluid kinetic [J/m]"),
+        ("time step [s]", "time step [s]"),
+    ];
+    assert_same(&mine, &theirs, &columns, 1e-9);
+}
+
 /// What the flags of every run say about the output is in the scene.
 #[test]
 fn output_and_precision_are_told() {
@@ -123,6 +121,7 @@ fn what_no_scene_can_say_is_refused() {
         (DAM, ["--release", "lifted"], "error: --release is lifted: a scene cannot put the gate away"),
         (DAM, ["--stabilisers", "--no-books"], "error: --stabilisers is given: a scene is one run"),
         (PLATE, ["--convergence", "--quiet"], "error: --convergence is given: a scene is one run"),
+        (FLAG, ["--test", "csm1"], "error: --test is csm1: a scene moves and does not look for rest"),
         (CHANNEL, ["--spacing", "0.006"], "error: --spacing is 0.006: "),
     ] {
         let output = print(program, &arguments);

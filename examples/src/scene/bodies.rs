@@ -96,7 +96,7 @@ pub(super) fn body<T: Real, const D: usize>(
         T::of(description.density),
         Ambient { material: Law::new(&description.material)?, pressure },
         WendlandC2,
-        SolidConfig::default(),
+        SolidConfig { damping: T::of(description.damping), ..SolidConfig::default() },
         parallel,
     )?;
     let Some(velocity) = &description.velocity else { return Ok(solid) };

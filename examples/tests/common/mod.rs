@@ -18,6 +18,22 @@ pub(crate) fn execute(program: &str, out: &Path, arguments: &[&str]) -> Output {
     Command::new(program).args(arguments).arg("--out").arg(out).output().unwrap()
 }
 
+/// What a program prints with `--print-scene`.
+pub(crate) fn print(program: &str, arguments: &[&str]) -> Output {
+    Command::new(program).args(arguments).arg("--print-scene").output().unwrap()
+}
+
+/// The scene that a program prints, as a file.
+pub(crate) fn printed(program: &str, name: &str, arguments: &[&str]) -> PathBuf {
+    let output = print(program, arguments);
+    assert!(output.status.success() && output.stderr.is_empty(), "{name}: {}", words(&output.stderr));
+    let dir = fresh("printed", name);
+    std::fs::create_dir_all(&dir).unwrap();
+    let file = dir.join("scene.toml");
+    std::fs::write(&file, output.stdout).unwrap();
+    file
+}
+
 /// What a program printed.
 pub(crate) fn words(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()

@@ -46,7 +46,7 @@ fn bodies_alone_pass_with_shorter_sub_steps_what_stops_them_otherwise() {
     let (one, other) = (passed("thrown", "1"), passed("thrown-again", "2"));
     let tries = retries(&one);
     assert!(!tries.is_empty() && tries.len() <= 3, "{tries:?}");
-    assert!(tries[0].contains("with 0.5 of the Courant number"), "{tries:?}");
+    assert!(tries[0].contains("with 0.5 of the sub-step"), "{tries:?}");
     assert_in_order(&one);
     // Shorter where it failed, and of the usual length again from ten rows behind the failure on.
     let table = CsvTable::read(one.join("probes.csv")).unwrap();
@@ -73,7 +73,7 @@ fn bodies_alone_that_no_step_can_save_are_given_up_after_the_tries() {
     assert!(said.contains("is turned inside out") && said.contains("try NeoHookean"), "{said}");
     let tries = retries(&dir);
     for (k, share) in ["0.5", "0.25", "0.125"].iter().enumerate() {
-        assert!(tries[k].contains(&format!("with {share} of the Courant number")), "{tries:?}");
+        assert!(tries[k].contains(&format!("with {share} of the sub-step")), "{tries:?}");
     }
     assert_eq!(tries.len(), 3);
     comes_again(&dir, &said);

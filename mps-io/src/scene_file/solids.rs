@@ -32,6 +32,32 @@ pub struct Solid {
     /// Velocity at the start; at rest if left out
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub velocity: Option<InitialVelocity>,
+    /// Damping of every velocity (1/s), as in `du/dt = ... - damping u`: for answers at rest, which it does not change
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub damping: f64,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands references")]
+fn is_zero(number: &f64) -> bool {
+    *number == 0.0
+}
+
+impl Solid {
+    /// An elastic body at rest, free, without friction and damping.
+    pub fn new(name: &str, region: Region, spacing: f64, density: f64, material: Material) -> Self {
+        Self {
+            name: name.into(),
+            region,
+            spacing,
+            density,
+            material,
+            clamp: None,
+            slip: Slip::default(),
+            ambient_pressure: None,
+            velocity: None,
+            damping: 0.0,
+        }
+    }
 }
 
 /// Law of an elastic material, in two dimensions in plane strain

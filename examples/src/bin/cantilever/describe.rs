@@ -8,7 +8,7 @@ use mps_examples::solid::plate::{
 };
 use mps_io::scene_file::{
     self, Clamp, Corners, DisplacementProbe, Elasticity, InitialVelocity, Measure, Output, Probe, Region,
-    SceneFile, Side, Slip, Solid,
+    SceneFile, Side, Solid,
 };
 use mps_solid::SolidConfig;
 
@@ -23,16 +23,11 @@ pub(crate) fn scene(options: &Options, across: usize) -> Result<SceneFile, Refus
     let usual = options.config::<f64>() == SolidConfig::default();
     Refused::unless(usual, "--radius or --cfl", "given", remedy)?;
     let period = PERIOD * unit_of_time();
+    let region = Region::between([0.0, 0.0], [LENGTH, THICKNESS]);
     let plate = Solid {
-        name: "plate".into(),
-        region: Region::between([0.0, 0.0], [LENGTH, THICKNESS]),
-        spacing: THICKNESS / across as f64,
-        density: DENSITY,
-        material: material(options.material),
         clamp: Some(Clamp::Sides(vec![Side::Left])),
-        slip: Slip::Free,
-        ambient_pressure: None,
         velocity: Some(InitialVelocity::FirstMode(TIP_SPEED * sound_speed())),
+        ..Solid::new("plate", region, THICKNESS / across as f64, DENSITY, material(options.material))
     };
     let tip = DisplacementProbe { solid: "plate".into(), at: vec![LENGTH, 0.5 * THICKNESS] };
     Ok(SceneFile {

@@ -85,19 +85,15 @@ fn walls(settings: &Settings) -> Vec<Wall> {
 
 fn gate(settings: &Settings) -> Solid {
     let right = RESERVOIR_WIDTH + GATE_THICKNESS;
+    let region = Region::between([RESERVOIR_WIDTH, 0.0], [right, GATE_LENGTH]);
+    let material = Material::Corotational(Elasticity {
+        youngs_modulus: settings.rubber.youngs_modulus,
+        poissons_ratio: settings.rubber.poissons_ratio,
+    });
+    let spacing = GATE_THICKNESS / settings.across as f64;
     Solid {
-        name: "gate".into(),
-        region: Region::between([RESERVOIR_WIDTH, 0.0], [right, GATE_LENGTH]),
-        spacing: GATE_THICKNESS / settings.across as f64,
-        density: settings.rubber.density,
-        material: Material::Corotational(Elasticity {
-            youngs_modulus: settings.rubber.youngs_modulus,
-            poissons_ratio: settings.rubber.poissons_ratio,
-        }),
         clamp: Some(Clamp::Sides(vec![Side::Top])),
-        slip: Slip::Free,
-        ambient_pressure: None,
-        velocity: None,
+        ..Solid::new("gate", region, spacing, settings.rubber.density, material)
     }
 }
 

@@ -11,16 +11,19 @@ use mps_kernel::Real;
 use std::path::Path;
 
 /// Rows of probes.csv in a period of the reference.
-const SAMPLES: f64 = 400.0;
+pub(crate) const SAMPLES: f64 = 400.0;
+/// Frames of the film in a period.
+pub(crate) const FRAMES: f64 = 20.0;
+/// The period of the reference \[s\].
+pub(crate) const PERIOD: f64 = 1.0 / CSM3[1][2];
 
 pub(crate) fn run<T: Real>(options: &Options, settings: &Settings, dir: &Path) -> Result<(), Failure> {
     let parallel = options.common.parallel()?;
     let flag = flag::<T>(settings.across, settings.clamp, &RUBBER, &parallel)?;
-    let period = 1.0 / CSM3[1][2];
     let mut look = look(options.test, settings);
-    (look.frame, look.stills) = (period / 20.0, vec![("lowest", 0.5 * period), ("highest", period)]);
+    (look.frame, look.stills) = (PERIOD / FRAMES, vec![("lowest", 0.5 * PERIOD), ("highest", PERIOD)]);
     let pictures = if options.common.no_fields { None } else { Some(Pictures::new(dir, look)?) };
-    let mut motion = Motion::new(flag, end(), gravity(), period / SAMPLES, &parallel)?
+    let mut motion = Motion::new(flag, end(), gravity(), PERIOD / SAMPLES, &parallel)?
         .with_table(dir)?
         .with_pictures(pictures);
     let (until, watch, mut seconds) = (settings.end_time, Watch::begin(dir, &options.common)?, 0.0);

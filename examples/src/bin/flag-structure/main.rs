@@ -3,10 +3,12 @@
 
 mod csm1;
 mod csm3;
+mod describe;
 mod options;
 mod plots;
 
 use clap::Parser;
+use mps_examples::scene::print_scene;
 use mps_examples::solid::Look;
 use mps_examples::solid::flag::{CYLINDER, Clamp, END, RADIUS};
 use mps_examples::{Failure, Precision, exit_code};
@@ -25,6 +27,9 @@ fn main() -> ExitCode {
 
 fn run<T: Real>(options: &Options) -> Result<(), Failure> {
     let settings = options.settings()?;
+    if options.print_scene {
+        return print_scene("flag-structure", describe::scene(options.test, &settings)?, &options.common);
+    }
     let dir = options.common.output(&format!("flag-structure-{}", options.test.name()))?;
     match options.test {
         Test::Csm1 => csm1::run::<T>(options, &settings, &dir),

@@ -31,6 +31,9 @@ pub(crate) struct Options {
     /// Forces that may be left in CSM1, over the load
     #[arg(long, value_name = "SHARE", default_value_t = 1e-6)]
     tolerance: f64,
+    /// Print the scene file that is this run instead of running it, for `mps run`, which writes checkpoints to go on from
+    #[arg(long)]
+    pub(crate) print_scene: bool,
     #[command(flatten)]
     pub(crate) common: Common,
 }

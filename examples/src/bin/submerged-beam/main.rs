@@ -1,11 +1,13 @@
 //! A clamped beam in a tank of water, bent by its buoyancy until it comes to rest: does the interface carry a static load
 //! right?
 
+mod describe;
 mod options;
 mod report;
 mod run;
 
 use clap::Parser;
+use mps_examples::scene::print_scene;
 use mps_examples::{Cost, Failure, Precision, Watch, conclude, exit_code, record, submerged};
 use mps_kernel::Real;
 use options::Options;
@@ -22,6 +24,10 @@ fn main() -> ExitCode {
 
 fn run<T: Real>(options: &Options) -> Result<(), Failure> {
     let settings = options.settings()?;
+    if options.print_scene {
+        let scene = describe::scene(&settings, options.end_time);
+        return print_scene("submerged-beam", scene, &options.common);
+    }
     let parallel = options.common.parallel()?;
     let dir = options.common.output("submerged-beam")?;
     let mut scene = submerged::build::<T>(&settings, &parallel)?;

@@ -39,6 +39,9 @@ pub(crate) struct Options {
     /// Courant number of the water
     #[arg(long, value_name = "C", default_value_t = 0.5)]
     cfl: f64,
+    /// Print the scene file that is this run instead of running it, for `mps run`, which writes checkpoints to go on from
+    #[arg(long)]
+    pub(crate) print_scene: bool,
     #[command(flatten)]
     pub(crate) common: Common,
 }

@@ -10,8 +10,8 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 /// Time between two rows of probes.csv, and between two frames of the fields \[s\].
-const PROBE: f64 = 0.02;
-const FIELD: f64 = 0.5;
+pub(crate) const PROBE: f64 = 0.02;
+pub(crate) const FIELD: f64 = 0.5;
 /// Columns of `probes.csv`.
 const COLUMNS: &[&str] = &[
     "time [s]",

@@ -65,19 +65,12 @@ fn flag() -> Region {
 }
 
 fn elastic(settings: &Settings, rubber: Rubber) -> Solid {
+    let material =
+        Material::SaintVenant(Elasticity { youngs_modulus: rubber.young, poissons_ratio: rubber.poisson });
     Solid {
-        name: "flag".into(),
-        region: flag(),
-        spacing: THICKNESS / settings.across as f64,
-        density: rubber.density,
-        material: Material::SaintVenant(Elasticity {
-            youngs_modulus: rubber.young,
-            poissons_ratio: rubber.poisson,
-        }),
         clamp: Some(Clamp::Disc(disc(RADIUS))),
         slip: Slip::None,
-        ambient_pressure: None,
-        velocity: None,
+        ..Solid::new("flag", flag(), THICKNESS / settings.across as f64, rubber.density, material)
     }
 }
 

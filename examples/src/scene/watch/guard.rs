@@ -130,9 +130,10 @@ impl Guard {
         tracing::warn!(time, tries = pace.tries, halvings = pace.halvings, "goes back after: {what}");
         self.remarks = remarks;
         self.remarks.lines += &format!(
-            "retry {}: went back to t = {time:e} s, with {} of the Courant number until step {}, after: {what}\n",
+            "retry {}: went back to t = {time:e} s, with {} of the {} until step {}, after: {what}\n",
             pace.tries,
             0.5_f64.powi(pace.halvings as i32),
+            if world.fluid().is_some() { "Courant number" } else { "sub-step" },
             pace.until
         );
         self.good = [None, Some(good)];

@@ -184,6 +184,12 @@ impl Checker<'_> {
             &at("ambient_pressure"),
             "give a pressure in Pa, or leave it out for the background pressure of the fluid",
         );
+        self.within(
+            solid.damping,
+            [0.0, 1e9],
+            &at("damping"),
+            "give it in 1/s, not negative: about the angular frequency of the slowest swing",
+        );
         match &solid.velocity {
             None => {}
             Some(InitialVelocity::Uniform(velocity)) => {
