@@ -7,8 +7,8 @@ use mps_examples::solid::plate::{
     BULK, DENSITY, LENGTH, PERIOD, SHEAR, THICKNESS, TIP_SPEED, sound_speed, unit_of_time,
 };
 use mps_io::scene_file::{
-    self, Clamp, Corners, DisplacementProbe, Elasticity, InitialVelocity, Measure, Output, Probe, Region,
-    SceneFile, Side, Slip, Solid,
+    self, Clamp, Corners, DisplacementProbe, Elasticity, Filling, InitialVelocity, Measure, Output, Probe,
+    Region, SceneFile, Side, Slip, Solid,
 };
 use mps_solid::SolidConfig;
 
@@ -27,6 +27,7 @@ pub(crate) fn scene(options: &Options, across: usize) -> Result<SceneFile, Refus
         name: "plate".into(),
         region: Region::between([0.0, 0.0], [LENGTH, THICKNESS]),
         spacing: THICKNESS / across as f64,
+        packing: Filling::Lattice,
         density: DENSITY,
         material: material(options.material),
         clamp: Some(Clamp::Sides(vec![Side::Left])),

@@ -4,7 +4,7 @@ use crate::geometry::HEIGHT;
 use crate::setup::{DENSITY, RAMP, Settings, VISCOSITY};
 use mps_examples::solid::flag::{CYLINDER, END, LENGTH, RADIUS, Rubber, THICKNESS};
 use mps_io::scene_file::{
-    Body, Clamp, Corners, Diffusion, Disc, DisplacementProbe, Elasticity, Fixed, Fluid, ForceProbe,
+    Body, Clamp, Corners, Diffusion, Disc, DisplacementProbe, Elasticity, Filling, Fixed, Fluid, ForceProbe,
     InitialPressure, Inlet, Material, Measure, Numerics, Outlet, Output, Packing, PressureForm, Probe,
     Profile, Region, SceneFile, Side, Slip, Solid, Tension, Viscosity, Wall,
 };
@@ -69,6 +69,7 @@ fn elastic(settings: &Settings, rubber: Rubber) -> Solid {
         name: "flag".into(),
         region: flag(),
         spacing: THICKNESS / settings.across as f64,
+        packing: Filling::Lattice,
         density: rubber.density,
         material: Material::SaintVenant(Elasticity {
             youngs_modulus: rubber.young,
@@ -120,7 +121,12 @@ fn fluid(settings: &Settings) -> Fluid {
         }],
         ..Fluid::new(
             settings.spacing,
-            vec![Body { region: water, pressure: InitialPressure::None, velocity: Vec::new() }],
+            vec![Body {
+                region: water,
+                packing: Filling::Lattice,
+                pressure: InitialPressure::None,
+                velocity: Vec::new(),
+            }],
         )
     }
 }
