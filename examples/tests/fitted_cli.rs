@@ -92,7 +92,7 @@ fn an_elastic_disc_is_held_measured_and_resumed() {
 #[test]
 fn what_overlaps_is_still_told() {
     let without_hole = BLOCK.replace(
-        "    { polygon = [[0.118, 0.056], [0.214, 0.084], [0.2, 0.132], [0.104, 0.104]] },\n",
+        "    { polygon = [[0.114, 0.05], [0.21, 0.078], [0.196, 0.126], [0.1, 0.098]] },\n",
         "    { box = { lower = [0.0, 0.0], upper = [0.01, 0.01] } },\n",
     );
     assert_ne!(without_hole, BLOCK);
@@ -113,7 +113,7 @@ fn wrong_use_is_refused_with_a_remedy() {
     let said = refused("misspelled", &BLOCK.replacen("\"fitted\"", "\"fited\"", 1));
     assert!(said.contains("did you mean `fitted`?"), "{said}");
     let said =
-        refused("thin", &BLOCK.replace("[0.2, 0.132], [0.104, 0.104]", "[0.2136, 0.0855], [0.1176, 0.0575]"));
+        refused("thin", &BLOCK.replace("[0.196, 0.126], [0.1, 0.098]", "[0.2096, 0.0795], [0.1136, 0.0515]"));
     assert!(said.contains("fixed[0].packing cannot be \"fitted\": the shape is too thin near (0."), "{said}");
     let plate = "title = \"A plate\"\nend_time = 0.1\n[[solids]]\nname = \"plate\"\npacking = \"fitted\"\n\
                  region = { box = { lower = [0.0, 0.0], upper = [0.2, 0.02] } }\nspacing = 5e-3\ndensity = 1000\n\

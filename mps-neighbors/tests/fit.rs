@@ -61,7 +61,7 @@ impl Shape<2> for Polygon {
     }
 }
 
-/// What is between two distances from the origin.
+/// What is between two distances from the origin, the first of which may be zero.
 struct Shell([f64; 2]);
 
 impl<const D: usize> Shape<D> for Shell {
@@ -73,7 +73,8 @@ impl<const D: usize> Shape<D> for Shell {
         let [inner, outer] = self.0;
         let radius = if r.norm() < 0.5 * (inner + outer) && inner > 0.0 { inner } else { outer };
         let foot = r.try_normalize(0.0).unwrap_or(Place::repeat((D as f64).sqrt().recip())) * radius;
-        Some(Nearest { foot, depth: (r.norm() - inner).min(outer - r.norm()) })
+        let off = if inner > 0.0 { r.norm() - inner } else { f64::INFINITY };
+        Some(Nearest { foot, depth: off.min(outer - r.norm()) })
     }
 }
 
@@ -158,7 +159,8 @@ fn straight_and_round_surfaces_have_points_half_a_spacing_behind_them() {
         0.5356,
         0.8,
     );
-    assert_fits("disc", &Shell([0.0, 0.5]) as &Shell, PI * 0.25, 0.75);
+    let disc: Fitted<2> = assert_fits("disc", &Shell([0.0, 0.5]), PI * 0.25, 0.75);
+    assert_eq!(disc.places.len(), 314);
     let ring: Fitted<2> = assert_fits("ring", &Shell([0.3, 0.7]), PI * 0.4, 0.75);
     assert_eq!(ring.places.len(), (PI * 0.4 / 0.0025).round() as usize);
     let ellipse = Polygon::on_ellipse(0.8, 0.4, (0..180).map(|k| TAU * f64::from(k) / 180.0)).turned(0.4);

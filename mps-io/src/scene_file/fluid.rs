@@ -69,7 +69,7 @@ fn water() -> f64 {
 pub struct Body {
     /// Where it is
     pub region: Region,
-    /// How its particles lie: fitted beside fitted bodies
+    /// How its particles lie, in a lattice if left out; fitted beside fitted bodies
     #[serde(default, skip_serializing_if = "Filling::is_lattice")]
     pub packing: Filling,
     /// Pressure at the start

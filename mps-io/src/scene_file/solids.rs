@@ -15,7 +15,7 @@ pub struct Solid {
     pub region: Region,
     /// Distance of its particles (m); along the sides of a box fitted to whole numbers
     pub spacing: f64,
-    /// How its particles lie
+    /// How its particles lie, in a lattice if left out
     #[serde(default, skip_serializing_if = "Filling::is_lattice")]
     pub packing: Filling,
     /// Density (kg/m3)
