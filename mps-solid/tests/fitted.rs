@@ -6,8 +6,8 @@ mod common;
 use approx::assert_relative_eq;
 use common::{deform, rotation, stored};
 use core::f64::consts::PI;
-use mps_kernel::weights::WendlandC2;
 use mps_kernel::Vector;
+use mps_kernel::weights::WendlandC2;
 use mps_neighbors::Parallel;
 use mps_neighbors::fit::{Nearest, Shape, fit};
 use mps_solid::materials::NeoHookean;
@@ -24,7 +24,7 @@ impl<const D: usize> Shape<D> for Round {
     }
 
     fn nearest(&self, r: &Vector<f64, D>) -> Option<Nearest<D>> {
-        let foot = r.try_normalize(0.0).unwrap_or(Vector::ith(0, 1.0)) * RADIUS;
+        let foot = r.try_normalize(0.0).unwrap_or(Vector::repeat((D as f64).sqrt().recip())) * RADIUS;
         Some(Nearest { foot, depth: RADIUS - r.norm() })
     }
 }
