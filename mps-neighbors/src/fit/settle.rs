@@ -106,6 +106,7 @@ fn step<const D: usize>(
     }
     mover.moved = (mover.next - place).norm() / spacing;
 }
+
 /// Refuses points that are too near to the surface or to each other.
 fn check<const D: usize>(
     shape: &impl Shape<D>,
