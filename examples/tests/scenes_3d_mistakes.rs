@@ -28,7 +28,7 @@ const MISTAKES: &[Mistake] = &[
         DAM,
         "radius = 0.02 } }",
         "radius = 0.02 } }\npacking = \"rings\"",
-        "scene.toml:23:11: fixed[0].packing exists in 2 dimensions only, and the scene has 3: give \"lattice\"",
+        "scene.toml:23:11: fixed[0].packing exists in 2 dimensions only, and the scene has 3: give \"lattice\" or \"fitted\"",
     ),
     (
         "a cylinder without length",

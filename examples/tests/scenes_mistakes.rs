@@ -93,7 +93,7 @@ const IN_THE_CHANNEL: &[Mistake] = &[
         "{ circle = { center = [0.2, 0.2], radius = 0.05 } }\npacking",
         "{ box = { lower = [0.15, 0.15], upper = [0.24, 0.25] } }\npacking",
         "scene.toml:55:11: fixed[0].packing is \"rings\", but the body is no circle: rings fill circles: give such a region, or \
-         \"lattice\"",
+         \"fitted\" for any other",
     ),
     (
         "a clamp beside the flag",

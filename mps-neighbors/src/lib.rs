@@ -6,10 +6,12 @@
 //!   by trying all of them.
 //! - [`Open`] and [`PeriodicBox`] are the [`Domain`]s a search can be in.
 //! - [`FrozenPairs`] are the reference pairs of a solid, found once.
+//! - [`fit`](mod@fit) fills a shape with particles that follow its surface.
 //! - [`Parallel`] runs loops whose results do not depend on the number of threads, which
 //!   [`state_hash`] makes visible.
 
 mod fields;
+pub mod fit;
 mod frozen;
 mod halves;
 mod parallel;

@@ -1,51 +1,70 @@
 //! Elastic bodies from their description.
 
-use super::lattice::fill;
+use super::fitted::fill_as;
 use super::{Law, vector};
 use crate::Failure;
 use crate::solid::begin_at;
 use crate::solid::plate::first_mode;
-use mps_io::scene_file::{Clamp, Corners, Disc, InitialVelocity, Region, Side, Solid as Description};
+use mps_io::scene_file::{
+    Clamp, Corners, Disc, Filling, InitialVelocity, Region, Side, Solid as Description,
+};
 use mps_kernel::weights::WendlandC2;
 use mps_kernel::{Real, Vector};
 use mps_neighbors::Parallel;
+use mps_neighbors::fit::FitError;
 use mps_solid::body::{Body, Face, block, counts};
 use mps_solid::materials::Ambient;
 use mps_solid::{Solid, SolidConfig, SolidError, SolidParticles};
+use thiserror::Error;
+
+/// Why no body was made of a region.
+#[derive(Debug, Error)]
+pub(super) enum BodyError {
+    /// Numbers of which no rows can be made.
+    #[error(transparent)]
+    Rows(#[from] SolidError),
+    /// A surface that particles cannot follow.
+    #[error(transparent)]
+    Fit(#[from] FitError),
+}
 
 /// The particles of a body and their distance along each axis \[m\].
 ///
 /// A box that is free or held on sides is a block of `mps-solid`, which puts the first row of a held side exactly on
-/// it; everything else is a lattice whose particles in the clamp are held.
+/// it; everything else is a lattice, or fitted to its surface, and its particles in the clamp are held.
+///
+/// # Errors
+/// If a box is too thin for rows, or a region for particles that follow its surface.
 pub(super) fn particles<T: Real, const D: usize>(
     solid: &Description,
-) -> Result<(SolidParticles<T, D>, Vector<T, D>), SolidError> {
-    if let Region::Box(corners) = &solid.region {
+    parallel: &Parallel,
+) -> Result<(SolidParticles<T, D>, Vector<T, D>), BodyError> {
+    if let (Filling::Lattice, Region::Box(corners)) = (solid.packing, &solid.region) {
         match &solid.clamp {
-            None => return fitted(corners, solid.spacing, &[]).map(whole),
+            None => return Ok(whole(stretched(corners, solid.spacing, &[])?)),
             Some(Clamp::Sides(sides)) => {
                 let faces: Vec<Face> = sides.iter().copied().map(face).collect();
-                return fitted(corners, solid.spacing, &faces).map(whole);
+                return Ok(whole(stretched(corners, solid.spacing, &faces)?));
             }
-            Some(Clamp::Disc(disc)) => return rows(corners, disc, solid.spacing),
+            Some(Clamp::Disc(disc)) => return Ok(rows(corners, disc, solid.spacing)?),
             Some(Clamp::Region(_)) => {}
         }
     }
     let mut particles = SolidParticles::new();
-    let volume = T::of(solid.spacing.powi(D as i32));
+    let (places, volume) = fill_as::<D>(solid.packing, &solid.region, solid.spacing, parallel)?;
     let margin = 1e-6 * solid.spacing;
-    for place in fill::<D>(&solid.region, solid.spacing) {
+    for place in places {
         let held = match &solid.clamp {
             Some(Clamp::Region(region)) => region.contains(&place, margin),
             _ => false,
         };
-        particles.push(vector(&place), volume, held);
+        particles.push(vector(&place), T::of(volume), held);
     }
     Ok((particles, Vector::repeat(T::of(solid.spacing))))
 }
 
 /// A box whose spacing is fitted to it, with its first particles exactly on the faces.
-fn fitted<T: Real, const D: usize>(
+fn stretched<T: Real, const D: usize>(
     Corners { lower, upper }: &Corners,
     spacing: f64,
     faces: &[Face],
@@ -70,7 +89,7 @@ pub(super) fn rows<T: Real, const D: usize>(
     disc: &Disc,
     spacing: f64,
 ) -> Result<(SolidParticles<T, D>, Vector<T, D>), SolidError> {
-    let block = fitted(corners, spacing, &[face(Side::Left)])?;
+    let block = stretched(corners, spacing, &[face(Side::Left)])?;
     let (lower, upper) = (vector(&corners.lower), vector(&corners.upper));
     // The check has let pass discs that reach all rows.
     let start = |y: f64| disc.right_of(y).unwrap_or(corners.lower[0]);
@@ -87,7 +106,7 @@ pub(super) fn body<T: Real, const D: usize>(
     background: f64,
     parallel: &Parallel,
 ) -> Result<Solid<T, D, Ambient<Law<T>, T>>, Failure> {
-    let (particles, spacing) = particles(description)?;
+    let (particles, spacing) = particles(description, parallel)?;
     let held: Vec<bool> = (0..particles.ids().len()).map(|i| particles.is_clamped(i)).collect();
     let pressure = T::of(description.ambient_pressure.unwrap_or(background));
     let mut solid = Solid::new(

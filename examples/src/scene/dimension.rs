@@ -4,7 +4,7 @@
 use super::run::{Origin, Plan, run_plan};
 use super::{Diagnosis, Layout, diagnose, disk, plan};
 use crate::{Common, Failure};
-use mps_io::scene_file::{SceneError, SceneFile, Source};
+use mps_io::scene_file::{SceneFile, Source};
 use mps_neighbors::Parallel;
 
 /// All points of a scene in its dimension.
@@ -27,10 +27,11 @@ macro_rules! with {
 
 impl AnyLayout {
     /// As [`Layout::new`].
-    pub(super) fn new(scene: &SceneFile, source: &Source) -> Result<Self, SceneError> {
+    pub(super) fn new(scene: &SceneFile, source: &Source) -> Result<Self, Failure> {
+        let parallel = Parallel::all_cores()?;
         Ok(match scene.dimension {
-            3 => Self::Space(Layout::new(scene, source)?),
-            _ => Self::Plane(Layout::new(scene, source)?),
+            3 => Self::Space(Layout::new(scene, source, &parallel)?),
+            _ => Self::Plane(Layout::new(scene, source, &parallel)?),
         })
     }
 

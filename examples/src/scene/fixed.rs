@@ -1,13 +1,14 @@
 //! Rigid bodies at rest from their description.
 
-use super::bodies::rows;
+use super::bodies::{BodyError, rows};
+use super::fitted::fitted;
 use super::lattice::{Place, fill};
 use super::{vector, vectors};
 use crate::rings;
 use mps_coupling::Fixed;
 use mps_io::scene_file::{Disc, Fixed as Description, Fluid, Packing, Region};
 use mps_kernel::Real;
-use mps_solid::SolidError;
+use mps_neighbors::Parallel;
 
 /// Points of a rigid body.
 #[derive(Clone, Debug)]
@@ -24,8 +25,8 @@ impl<const D: usize> FixedPoints<D> {
     /// The points of a body in a fluid.
     ///
     /// # Errors
-    /// If rows cannot be made of the numbers.
-    pub(super) fn new(body: &Description, fluid: &Fluid) -> Result<Self, SolidError> {
+    /// If rows cannot be made of the numbers, or the region is too thin for points that follow its surface.
+    pub(super) fn new(body: &Description, fluid: &Fluid, parallel: &Parallel) -> Result<Self, BodyError> {
         let spacing = body.spacing.unwrap_or(fluid.spacing);
         let (places, volumes) = match (&body.packing, &body.region) {
             (Packing::Rings, Region::Circle(Disc { center, radius })) => {
@@ -39,6 +40,11 @@ impl<const D: usize> FixedPoints<D> {
                 let (particles, _) = rows::<f64, D>(corners, disc, spacing)?;
                 let places = particles.reference_positions().iter().map(|x| (*x).into()).collect();
                 (places, particles.volumes().to_vec())
+            }
+            (Packing::Fitted, region) => {
+                let (places, volume) = fitted(region, spacing, parallel)?;
+                let volumes = vec![volume; places.len()];
+                (places, volumes)
             }
             // What rings and rows are of has been checked.
             _ => {

@@ -1,12 +1,14 @@
 //! All points of a scene, before any physics.
 
-use super::bodies::particles;
+use super::bodies::{BodyError, particles};
+use super::fitted::fill_as;
 use super::fixed::FixedPoints;
 use super::lattice::{Place, fill};
 use super::line::along;
 use super::openings::{Behind, behind};
 use mps_io::scene_file::{Problem, Region, SceneError, SceneFile, Shape, Source, Wall};
-use mps_solid::SolidError;
+use mps_neighbors::Parallel;
+use mps_neighbors::fit::FitError;
 
 /// Points of a scene, part by part in the order of its file.
 #[derive(Clone, Debug, Default)]
@@ -37,24 +39,29 @@ impl<const D: usize> Layout<D> {
     ///
     /// # Errors
     /// Every part that has no particles or cannot be a body, with the key of its region.
-    pub fn new(scene: &SceneFile, source: &Source) -> Result<Self, SceneError> {
+    pub fn new(scene: &SceneFile, source: &Source, parallel: &Parallel) -> Result<Self, SceneError> {
         let mut problems = Vec::new();
         let mut layout = Self::default();
         if let Some(fluid) = &scene.fluid {
             let l0 = fluid.spacing;
-            layout.fluid = fluid.bodies.iter().map(|body| fill(&body.region, l0)).collect();
+            for (k, body) in fluid.bodies.iter().enumerate() {
+                match fill_as(body.packing, &body.region, l0, parallel) {
+                    Ok((places, _)) => layout.fluid.push(places),
+                    Err(error) => problems.push(not_fitted(source, &format!("fluid.bodies[{k}]"), &error)),
+                }
+            }
             let depth = fluid.numerics.radius * l0;
             layout.walls = scene.walls.iter().map(|wall| wall_points(wall, l0, depth)).collect();
             layout.behind = behind(fluid);
             for (k, body) in scene.fixed.iter().enumerate() {
-                match FixedPoints::new(body, fluid) {
+                match FixedPoints::new(body, fluid, parallel) {
                     Ok(points) => layout.fixed.push(points),
                     Err(error) => problems.push(no_body(source, &format!("fixed[{k}]"), &error)),
                 }
             }
         }
         for (k, solid) in scene.solids.iter().enumerate() {
-            match particles::<f64, D>(solid) {
+            match particles::<f64, D>(solid, parallel) {
                 Ok((particles, _)) => layout.solids.push(
                     particles
                         .reference_positions()
@@ -112,8 +119,21 @@ impl<const D: usize> Layout<D> {
     }
 }
 
-fn no_body(source: &Source, key: &str, error: &SolidError) -> Problem {
-    source.problem(&format!("{key}.spacing"), "makes no body", error.to_string())
+fn no_body(source: &Source, key: &str, error: &BodyError) -> Problem {
+    match error {
+        BodyError::Rows(error) => {
+            source.problem(&format!("{key}.spacing"), "makes no body", error.to_string())
+        }
+        BodyError::Fit(error) => not_fitted(source, key, error),
+    }
+}
+
+fn not_fitted(source: &Source, key: &str, error: &FitError) -> Problem {
+    source.problem(
+        &format!("{key}.packing"),
+        "cannot be \"fitted\"",
+        format!("{error}, or leave packing out"),
+    )
 }
 
 fn wall_points<const D: usize>(wall: &Wall, l0: f64, depth: f64) -> Vec<Points<D>> {

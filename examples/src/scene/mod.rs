@@ -2,7 +2,7 @@
 //!
 //! | file | what it does |
 //! |---|---|
-//! | `lattice`, `line` | points that fill regions and lie along walls |
+//! | `lattice`, `fitted`, `line` | points that fill regions, follow their surfaces, and lie along walls |
 //! | `layout` | all points of a scene, before any physics |
 //! | `law`, `viscosity` | materials and viscosities by name |
 //! | `water`, `openings`, `bodies`, `fixed`, `movers` | fluid, where it enters and leaves, elastic and rigid bodies, moved walls |
@@ -25,6 +25,7 @@ mod disk;
 mod examined;
 mod field_files;
 mod fields;
+mod fitted;
 mod fixed;
 mod harmonics;
 mod interface_probes;

@@ -24,13 +24,15 @@ pub struct Fixed {
     pub slip: Slip,
 }
 
-/// How points fill a region
+/// How points fill the region of a fixed body
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Packing {
     /// In a square lattice
     #[default]
     Lattice,
+    /// Following the surface of any region, whose outermost points lie half a spacing inside it
+    Fitted,
     /// In rings, as far in as the fluid reaches: for a circle, whose surface is then round
     Rings,
     /// In rows along a box that begin on this disc at its left end, as those of an elastic body that is held on it

@@ -1,7 +1,7 @@
 //! The water and the numbers it is computed with.
 
 use super::openings::{Inlet, Outlet};
-use super::region::{Point, Region};
+use super::region::{Filling, Point, Region};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -69,6 +69,9 @@ fn water() -> f64 {
 pub struct Body {
     /// Where it is
     pub region: Region,
+    /// How its particles lie, in a lattice if left out; fitted beside fitted bodies
+    #[serde(default, skip_serializing_if = "Filling::is_lattice")]
+    pub packing: Filling,
     /// Pressure at the start
     #[serde(default)]
     pub pressure: InitialPressure,

@@ -9,6 +9,7 @@
 //! |---|---|
 //! | `scene` | the whole |
 //! | `region`, `inside` | shapes, and what is inside them |
+//! | `surface/*` | where the surface of a shape is nearest to a place |
 //! | `outline/*` | shapes from files of their own |
 //! | `fluid`, `openings`, `walls`, `solids`, `fixed` | what there is |
 //! | `probes`, `output`, `choice`, `watch` | what is measured and written, and what a run is watched for |
@@ -31,6 +32,7 @@ mod scene;
 mod solids;
 mod source;
 mod suggest;
+mod surface;
 mod walls;
 mod watch;
 
@@ -47,10 +49,11 @@ pub use probes::{
     PressureProbe, Probe, VelocityProbe, WallPressureProbe, Way,
 };
 pub use reference::reference;
-pub use region::{Corners, Disc, HalfSpace, Point, Region, Tube};
+pub use region::{Corners, Disc, Filling, HalfSpace, Point, Region, Tube};
 pub use scene::{SceneFile, parse, read, schema};
 pub use solids::{Clamp, Elasticity, InitialVelocity, Material, Side, Solid};
 pub use source::{Problem, SceneError, Source};
 pub use suggest::closest;
+pub use surface::{Foot, Surface};
 pub use walls::{Motion, Oscillation, Shape, Slip, Steady, Tank, Wall};
 pub use watch::{OnFailure, OnMach, Retry, Watch};

@@ -33,6 +33,24 @@ pub enum Region {
     Difference(Vec<Region>),
 }
 
+/// How particles fill a region
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Filling {
+    /// In a square or cubic lattice, elastic boxes in rows that are fitted to their sides
+    #[default]
+    Lattice,
+    /// Following the surface, the outermost particles half a spacing inside it
+    Fitted,
+}
+
+impl Filling {
+    /// Whether it is the usual one, which need not be written.
+    pub(super) fn is_lattice(&self) -> bool {
+        *self == Self::Lattice
+    }
+}
+
 /// A box, by two opposite corners
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

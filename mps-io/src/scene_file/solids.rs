@@ -1,6 +1,6 @@
 //! Elastic bodies.
 
-use super::region::{Disc, Point, Region};
+use super::region::{Disc, Filling, Point, Region};
 use super::walls::Slip;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -15,6 +15,9 @@ pub struct Solid {
     pub region: Region,
     /// Distance of its particles (m); along the sides of a box fitted to whole numbers
     pub spacing: f64,
+    /// How its particles lie, in a lattice if left out
+    #[serde(default, skip_serializing_if = "Filling::is_lattice")]
+    pub packing: Filling,
     /// Density (kg/m3)
     pub density: f64,
     /// What it is made of
@@ -49,6 +52,7 @@ impl Solid {
             name: name.into(),
             region,
             spacing,
+            packing: Filling::default(),
             density,
             material,
             clamp: None,

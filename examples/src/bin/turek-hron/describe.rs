@@ -4,7 +4,7 @@ use crate::geometry::HEIGHT;
 use crate::setup::{DENSITY, RAMP, Settings, VISCOSITY};
 use mps_examples::solid::flag::{CYLINDER, END, LENGTH, RADIUS, Rubber, THICKNESS};
 use mps_io::scene_file::{
-    Body, Clamp, Corners, Diffusion, Disc, DisplacementProbe, Elasticity, Fixed, Fluid, ForceProbe,
+    Body, Clamp, Corners, Diffusion, Disc, DisplacementProbe, Elasticity, Filling, Fixed, Fluid, ForceProbe,
     InitialPressure, Inlet, Material, Measure, Numerics, Outlet, Output, Packing, PressureForm, Probe,
     Profile, Region, SceneFile, Side, Slip, Solid, Tension, Viscosity, Wall,
 };
@@ -15,7 +15,11 @@ pub(crate) fn scene(settings: &Settings) -> SceneFile {
     let passage = settings.passage();
     let force = Measure::Force(ForceProbe { on: vec!["cylinder".into(), "flag".into()] });
     let mut scene = SceneFile {
-        title: format!("{}: {} mm", settings.test.name().to_uppercase(), settings.spacing * 1e3),
+        title: format!(
+            "{}: {} mm",
+            settings.test.name().to_uppercase(),
+            (settings.spacing * 1e5).round() / 1e2
+        ),
         end_time: settings.end_time,
         fluid: Some(fluid(settings)),
         walls: walls(settings),
@@ -113,7 +117,12 @@ fn fluid(settings: &Settings) -> Fluid {
         }],
         ..Fluid::new(
             settings.spacing,
-            vec![Body { region: water, pressure: InitialPressure::None, velocity: Vec::new() }],
+            vec![Body {
+                region: water,
+                packing: Filling::Lattice,
+                pressure: InitialPressure::None,
+                velocity: Vec::new(),
+            }],
         )
     }
 }

@@ -4,6 +4,7 @@ use super::super::clearance::nearest;
 use super::part::{GAP, Part, overlap, words};
 use super::{Diagnosis, Subject};
 use crate::Failure;
+use mps_io::scene_file::{Filling, Packing};
 
 /// How far a gap is looked for, over half the sum of the spacings.
 const FAR: f64 = 4.0;
@@ -22,6 +23,7 @@ pub(super) fn contacts<const D: usize>(
             places: places.clone(),
             spacing: l0,
             name: "another body of fluid",
+            fitted: fluid.bodies[k].packing == Filling::Fitted,
         })
         .collect();
     let solids = scene.solids.iter().zip(&layout.solids).enumerate().map(|(k, (solid, points))| Part {
@@ -29,18 +31,21 @@ pub(super) fn contacts<const D: usize>(
         places: points.iter().map(|(place, _)| *place).collect(),
         spacing: solid.spacing,
         name: &solid.name,
+        fitted: solid.packing == Filling::Fitted,
     });
     let fixed = scene.fixed.iter().zip(&layout.fixed).enumerate().map(|(k, (body, points))| Part {
         key: format!("fixed[{k}].region"),
         places: points.places.clone(),
         spacing: points.spacing,
         name: &body.name,
+        fitted: body.packing == Packing::Fitted,
     });
     let behind = layout.behind.iter().map(|behind| Part {
         key: behind.key.clone(),
         places: behind.places.clone(),
         spacing: l0,
         name: "what lies behind an opening",
+        fitted: false,
     });
     let rigid: Vec<Part<D>> =
         Part::walls(scene, layout, l0).chain(solids).chain(fixed).chain(behind).collect();
@@ -55,8 +60,13 @@ pub(super) fn contacts<const D: usize>(
                     "overlaps {name} ({}): two particles near {place} are {apart:.2e} m apart",
                     other.key
                 );
-                let remedy = "move one of them, take one from the other (difference), give the line of a wall the other \
-                              direction (fluid is on its left), or a spacing of which the lengths are multiples";
+                let remedy = if other.fitted && !body.fitted {
+                    "take it from the fluid (difference), and give this fluid packing = \"fitted\" too: the cells of a lattice do \
+                     not end half a spacing before a surface that follows no lattice"
+                } else {
+                    "move one of them, take one from the other (difference), give the line of a wall the other \
+                     direction (fluid is on its left), or a spacing of which the lengths are multiples"
+                };
                 found.refusals.push(source.problem(&body.key, what, remedy));
             } else if apart > GAP * unit && !rigid.iter().any(|third| third.is_near(&near.place, l0)) {
                 let gap = apart - unit;

@@ -20,6 +20,8 @@ pub(super) struct Part<'a, const D: usize> {
     pub(super) places: Vec<Place<D>>,
     pub(super) spacing: f64,
     pub(super) name: &'a str,
+    /// Whether its points follow its surface, where those of a lattice have steps.
+    pub(super) fitted: bool,
 }
 
 impl<'a, const D: usize> Part<'a, D> {
@@ -30,6 +32,7 @@ impl<'a, const D: usize> Part<'a, D> {
             places: points.iter().flat_map(|part| part.places.iter().copied()).collect(),
             spacing: wall.fineness * l0,
             name: &wall.name,
+            fitted: false,
         })
     }
 }

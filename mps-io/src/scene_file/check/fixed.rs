@@ -13,11 +13,11 @@ impl Checker<'_> {
         self.region(&body.region, spacing, &format!("{key}.region"));
         let packing = format!("{key}.packing");
         match &body.packing {
-            Packing::Lattice => {}
-            Packing::Rings if !self.only_in(2, &packing, "give \"lattice\"") => {}
+            Packing::Lattice | Packing::Fitted => {}
+            Packing::Rings if !self.only_in(2, &packing, "give \"lattice\" or \"fitted\"") => {}
             Packing::Rings => {
                 let round = matches!(body.region, Region::Circle(_));
-                let remedy = "rings fill circles: give such a region, or \"lattice\"";
+                let remedy = "rings fill circles: give such a region, or \"fitted\" for any other";
                 self.unless(round, &packing, "is \"rings\", but the body is no circle", remedy);
             }
             Packing::Rows(disc) => self.rows(disc, &body.region, &format!("{packing}.rows")),

@@ -1,7 +1,7 @@
 //! Fluid, walls and bodies.
 
 use super::super::fluid::{Diffusion, Fluid, InitialPressure, Tension, Viscosity, Weight};
-use super::super::region::{Corners, Region};
+use super::super::region::{Corners, Filling, Region};
 use super::super::solids::{Clamp, InitialVelocity, Side, Solid};
 use super::super::walls::{Motion, Wall};
 use super::Checker;
@@ -164,6 +164,7 @@ impl Checker<'_> {
                     "name one, or leave the clamp out",
                 );
             }
+            Some(Clamp::Disc(_)) if solid.packing == Filling::Fitted => {}
             Some(Clamp::Disc(disc)) => self.rows(disc, &solid.region, &at("clamp.disc")),
             Some(Clamp::Region(held)) => {
                 let before = self.problems.len();
@@ -178,6 +179,10 @@ impl Checker<'_> {
                 }
             }
         }
+        let rows = matches!(solid.clamp, Some(Clamp::Sides(_) | Clamp::Disc(_)));
+        let remedy = "rows that begin on a side or a disc are not fitted to the other sides: give a region to hold, clamp = { region = ... }, or leave packing out";
+        let held = "is \"fitted\", but the clamp holds rows of a lattice";
+        self.unless(!rows || solid.packing == Filling::Lattice, &at("packing"), held, remedy);
         self.within(
             solid.ambient_pressure.unwrap_or(0.0),
             [0.0, 1e15],

@@ -16,6 +16,7 @@ mod surface;
 mod triangle;
 
 pub(super) use load::load;
+pub(super) use triangle::Triangle;
 
 use super::inside::{around, in_polygon};
 use super::region::{Corners, Point};
@@ -74,6 +75,22 @@ impl Outline {
             (Shape::Surface(surface), &[x, y, z]) => surface.contains([x, y, z], margin),
             (Shape::Surface(_), _) => false,
         })
+    }
+
+    /// The corners of its line in two dimensions; none without its file.
+    pub(super) fn corners(&self) -> &[Point] {
+        match self.loaded.as_ref().map(|loaded| &loaded.shape) {
+            Some(Shape::Line(corners)) => corners,
+            _ => &[],
+        }
+    }
+
+    /// The triangles of its surface in three dimensions; none without its file.
+    pub(super) fn triangles(&self) -> &[Triangle] {
+        match self.loaded.as_ref().map(|loaded| &loaded.shape) {
+            Some(Shape::Surface(surface)) => surface.triangles(),
+            _ => &[],
+        }
     }
 
     /// The smallest box around it; none without its file.

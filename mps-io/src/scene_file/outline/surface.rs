@@ -70,6 +70,10 @@ impl Surface {
         wound > 0 || self.triangles.iter().any(|triangle| triangle.is_near(&r, margin))
     }
 
+    pub(super) fn triangles(&self) -> &[Triangle] {
+        &self.triangles
+    }
+
     pub(super) fn bounds(&self) -> Corners {
         Corners::between(self.lower.into(), self.upper.into())
     }

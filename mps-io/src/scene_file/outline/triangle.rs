@@ -6,7 +6,7 @@ type Place = Vector<f64, 3>;
 
 /// A triangle with its corners \[m\] counter-clockwise seen from outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Triangle {
+pub(in crate::scene_file) struct Triangle {
     pub(super) corners: [Place; 3],
 }
 
@@ -64,6 +64,24 @@ impl Triangle {
         over && off <= distance || self.sides().iter().any(|side| to_side(r, *side) <= distance)
     }
 
+    /// Its point nearest to a place: within it, or on one of its sides.
+    pub(in crate::scene_file) fn foot(&self, r: &Place) -> Place {
+        let normal = self.normal();
+        if self.sides().iter().all(|[a, b]| normal.dot(&(b - a).cross(&(r - a))) >= 0.0) {
+            let off = normal.dot(&(r - self.corners[0])) / normal.norm_squared();
+            if off.is_finite() {
+                return r - normal * off;
+            }
+        }
+        let [mut nearest, second, third] = self.sides().map(|side| on_side(r, side));
+        for foot in [second, third] {
+            if (foot - r).norm_squared() < (nearest - r).norm_squared() {
+                nearest = foot;
+            }
+        }
+        nearest
+    }
+
     /// The corners of the box around it \[m\].
     pub(super) fn bounds(&self) -> (Place, Place) {
         let [a, b, c] = &self.corners;
@@ -82,8 +100,12 @@ fn at_height(z: f64, [a, b]: [Place; 2]) -> Option<[f64; 2]> {
 }
 
 /// Distance to a side \[m\].
-fn to_side(r: &Place, [a, b]: [Place; 2]) -> f64 {
+fn to_side(r: &Place, side: [Place; 2]) -> f64 {
+    (r - on_side(r, side)).norm()
+}
+
+/// The point of a side nearest to a place.
+fn on_side(r: &Place, [a, b]: [Place; 2]) -> Place {
     let along = b - a;
-    let share = ((r - a).dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
-    (r - a - along * share).norm()
+    a + along * ((r - a).dot(&along) / along.norm_squared()).clamp(0.0, 1.0)
 }
