@@ -61,7 +61,7 @@ fn an_elastic_disc_is_held_measured_and_resumed() {
          [fluid]\nspacing = 1e-2\nexpected_speed = 2.0\n\
          [[fluid.bodies]]\npacking = \"fitted\"\nregion = {{ difference = [{{ box = {{ lower = [0.0, 0.0], upper = [0.3, 0.2] }} }}, {disc}] }}\n\
          [[walls]]\nname = \"tank\"\nshape = {{ tank = {{ lower = [0.0, 0.0], upper = [0.3, 0.25], open = [\"top\"] }} }}\n\
-         [[solids]]\nname = \"disc\"\npacking = \"fitted\"\nregion = {disc}\nspacing = 5e-3\ndensity = 1100\n\
+         [[solids]]\nname = \"disc\"\npacking = \"fitted\"\nregion = {disc}\nspacing = 5e-3\ndensity = 3000\n\
          material = {{ neo_hookean = {{ youngs_modulus = 2e6, poissons_ratio = 0.4 }} }}\n\
          clamp = {{ region = {{ circle = {{ center = [0.15, 0.1], radius = 0.01 }} }} }}\n\
          [[probes]]\nname = \"top\"\nmeasure = {{ displacement = {{ solid = \"disc\", at = [0.15, 0.14] }} }}\n\
@@ -85,7 +85,7 @@ fn an_elastic_disc_is_held_measured_and_resumed() {
     let (whole, parts) = (table(&whole), table(&parts));
     assert_eq!(whole.columns, parts.columns);
     let top = whole.column("top y [m]").unwrap();
-    assert!(top.iter().all(|y| y.abs() < 1e-3) && top.last().unwrap() != &0.0, "{top:?}");
+    assert!(top.iter().all(|y| y.abs() < 1e-4) && top.last().unwrap() != &0.0, "{top:?}");
 }
 
 #[test]
@@ -113,7 +113,7 @@ fn wrong_use_is_refused_with_a_remedy() {
     assert!(said.contains("did you mean `fitted`?"), "{said}");
     let said =
         refused("thin", &BLOCK.replace("[0.196, 0.126], [0.1, 0.098]", "[0.2096, 0.0795], [0.1136, 0.0515]"));
-    assert!(said.contains("fixed[0].packing cannot be \"fitted\": the shape is too thin near (0."), "{said}");
+    assert!(said.contains("fixed[0].packing cannot be \"fitted\": the shape is too thin near ("), "{said}");
     let plate = "title = \"A plate\"\nend_time = 0.1\n[[solids]]\nname = \"plate\"\npacking = \"fitted\"\n\
                  region = { box = { lower = [0.0, 0.0], upper = [0.2, 0.02] } }\nspacing = 5e-3\ndensity = 1000\n\
                  material = { neo_hookean = { youngs_modulus = 2e6, poissons_ratio = 0.4 } }\nclamp = { sides = [\"left\"] }\n";

@@ -89,13 +89,13 @@ fn the_gate() {
 
 #[test]
 fn the_dam_break() {
-    let options = ["--spacing", "3e-2", "--end-time", "0.1", "--shifting", "2"];
+    let options = ["--spacing", "1.2e-2", "--end-time", "0.04", "--shifting", "2"];
     matrix("dam", &printed(env!("CARGO_BIN_EXE_dam-break"), "matrix-dam", &options));
 }
 
 #[test]
 fn the_cantilever() {
-    let options = ["--across", "4", "--end-time", "0.05"];
+    let options = ["--across", "12", "--end-time", "5e-3"];
     matrix("plate", &printed(env!("CARGO_BIN_EXE_cantilever"), "matrix-plate", &options));
 }
 
@@ -105,6 +105,13 @@ fn the_channel() {
     let options =
         ["--test", "fsi3", "--spacing", "0.01", "--length", "1.2", "--across", "4", "--end-time", "0.03"];
     matrix("channel", &printed(env!("CARGO_BIN_EXE_turek-hron"), "matrix-channel", &options));
+}
+
+/// A body with damping in water at rest.
+#[test]
+fn the_beam_in_water() {
+    let options = ["--across", "4", "--end-time", "0.05"];
+    matrix("beam", &printed(env!("CARGO_BIN_EXE_submerged-beam"), "matrix-beam", &options));
 }
 
 /// A wall that moves.

@@ -9,7 +9,7 @@ use mps_neighbors::{Parallel, state_hash};
 
 fn hashes(threads: usize) -> [u64; 2] {
     let parallel = Parallel::new(threads).unwrap();
-    // 4,000 fluid particles and 4 x 100 in the gate: several blocks of the parallel loops of each.
+    // 4,000 fluid particles, several blocks of the parallel loops; the 4 x 100 of the gate stay on one thread.
     let mut scene = gate([40, 100], Slip::None);
     let mut noise = Noise::new(11);
     scene.fluid_mut().particles_mut().velocity.iter_mut().for_each(|u| *u = noise.vector(0.5));

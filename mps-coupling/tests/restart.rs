@@ -51,7 +51,7 @@ fn stirred(mut scene: Wet) -> Wet {
 
 #[test]
 fn a_gate_without_slip_goes_on() {
-    assert_goes_on(|| stirred(gate([24, 20], Slip::None)), 30);
+    assert_goes_on(|| stirred(gate([40, 30], Slip::None)), 30);
 }
 
 #[test]

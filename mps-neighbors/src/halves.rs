@@ -1,7 +1,7 @@
 //! Loops as trees: the particles are halved until few are left.
 //!
 //! The tree, and with it the order of every sum, is a function of the number of particles alone, whatever
-//! the pool. Halves are equal to a particle: a thread that waits for the other half falls asleep.
+//! the pool. Halves differ by one particle at most: a thread that waits for the other half falls asleep.
 
 use crate::fields::Fields;
 

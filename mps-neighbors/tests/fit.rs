@@ -178,7 +178,7 @@ fn corners_are_filled_as_well_as_points_can() {
 }
 
 #[test]
-fn a_ball_and_a_box_in_space_are_filled() {
+fn a_ball_is_filled() {
     let ball: Fitted<3> = assert_fits("ball", &Shell([0.0, 0.35]), 4.0 / 3.0 * PI * 0.35_f64.powi(3), 0.95);
     assert_eq!(ball.places.len(), 1437);
 }
@@ -201,7 +201,7 @@ fn shapes_without_room_are_told_with_place_and_remedy() {
     let words = thin.to_string();
     assert!(matches!(thin, FitError::TooThin { depth, .. } if depth < 0.301), "{words}");
     assert!(
-        words.starts_with("the shape is too thin near (0.")
+        words.starts_with("the shape is too thin near (")
             && words.ends_with("give a spacing below 5.000e-2 m"),
         "{words}"
     );
@@ -213,7 +213,7 @@ fn shapes_without_room_are_told_with_place_and_remedy() {
         assert!(matches!(refused(&plate(0.5), spacing), FitError::Size { .. }), "{spacing}");
     }
     assert!(matches!(refused(&plate(0.5), 1e-6), FitError::TooMany { .. }));
-    // Two points have more room than one.
+    // One row is enough.
     assert!(fit(&plate(0.05), SPACING, &Parallel::serial()).is_ok());
 }
 

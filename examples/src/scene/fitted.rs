@@ -47,11 +47,7 @@ pub(super) fn fill_as<const D: usize>(
 ///
 /// # Errors
 /// As [`fit`].
-pub(super) fn fitted<const D: usize>(
-    region: &Region,
-    spacing: f64,
-    parallel: &Parallel,
-) -> Result<Filled<D>, FitError> {
+fn fitted<const D: usize>(region: &Region, spacing: f64, parallel: &Parallel) -> Result<Filled<D>, FitError> {
     let (Some(surface), Some(corners)) = (region.surface(), region.bounds()) else {
         return Err(FitError::Empty { spacing });
     };

@@ -1,12 +1,12 @@
 //! Rigid bodies at rest from their description.
 
 use super::bodies::{BodyError, rows};
-use super::fitted::fitted;
-use super::lattice::{Place, fill};
+use super::fitted::fill_as;
+use super::lattice::Place;
 use super::{vector, vectors};
 use crate::rings;
 use mps_coupling::Fixed;
-use mps_io::scene_file::{Disc, Fixed as Description, Fluid, Packing, Region};
+use mps_io::scene_file::{Disc, Filling, Fixed as Description, Fluid, Packing, Region};
 use mps_kernel::Real;
 use mps_neighbors::Parallel;
 
@@ -41,15 +41,11 @@ impl<const D: usize> FixedPoints<D> {
                 let places = particles.reference_positions().iter().map(|x| (*x).into()).collect();
                 (places, particles.volumes().to_vec())
             }
-            (Packing::Fitted, region) => {
-                let (places, volume) = fitted(region, spacing, parallel)?;
-                let volumes = vec![volume; places.len()];
-                (places, volumes)
-            }
             // What rings and rows are of has been checked.
-            _ => {
-                let places = fill(&body.region, spacing);
-                let volumes = vec![spacing.powi(D as i32); places.len()];
+            (packing, region) => {
+                let filling = if *packing == Packing::Fitted { Filling::Fitted } else { Filling::Lattice };
+                let (places, volume) = fill_as(filling, region, spacing, parallel)?;
+                let volumes = vec![volume; places.len()];
                 (places, volumes)
             }
         };

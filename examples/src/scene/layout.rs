@@ -73,7 +73,10 @@ impl<const D: usize> Layout<D> {
                 Err(error) => problems.push(no_body(source, &format!("solids[{k}]"), &error)),
             }
         }
-        problems.extend(layout.empty_parts(source));
+        // A part that failed is missing, and those behind it would have its number.
+        if problems.is_empty() {
+            problems = layout.empty_parts(source);
+        }
         if problems.is_empty() { Ok(layout) } else { Err(SceneError::Refused(problems)) }
     }
 

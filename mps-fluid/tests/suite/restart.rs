@@ -73,7 +73,7 @@ fn splash<T: Real, const D: usize>(
 fn a_splash_with_walls_collisions_shifting_and_books() {
     assert_goes_on(
         || {
-            splash::<f64, 2>([30, 25], |config| {
+            splash::<f64, 2>([40, 30], |config| {
                 config.shifting = Some(Shifting { strength: 2.0, iterations: 2 })
             })
         },

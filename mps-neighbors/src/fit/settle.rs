@@ -115,7 +115,7 @@ fn check<const D: usize>(
     spacing: f64,
 ) -> Result<(), FitError> {
     let words = |place: &Vector<f64, D>| {
-        let numbers: Vec<String> = place.iter().map(|x| format!("{x:.4}")).collect();
+        let numbers: Vec<String> = place.iter().map(|x| format!("{x:.3e}")).collect();
         format!("({})", numbers.join(", "))
     };
     for (i, place) in places.iter().enumerate() {

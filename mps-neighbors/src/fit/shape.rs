@@ -45,7 +45,7 @@ pub trait Shape<const D: usize>: Sync {
     fn nearest(&self, place: &Vector<f64, D>) -> Option<Nearest<D>>;
 }
 
-/// How far beside a place on the surface the depth is asked for, over the spacing.
+/// How far beside a place on the surface the depth is asked for, over a length of the size of the spacing.
 const PROBE: f64 = 0.05;
 /// Most often that a place is put back: in a corner of 20 degrees every two times bring it nearer by an eighth.
 const CORNER: usize = 60;
@@ -57,9 +57,9 @@ pub(super) fn inward<const D: usize>(
     shape: &impl Shape<D>,
     place: &Vector<f64, D>,
     nearest: &Nearest<D>,
-    spacing: f64,
+    length: f64,
 ) -> Option<Vector<f64, D>> {
-    if nearest.depth.abs() > 1e-6 * spacing {
+    if nearest.depth.abs() > 1e-6 * length {
         return ((place - nearest.foot) * nearest.depth.signum()).try_normalize(0.0);
     }
     let depth = |axis: usize, step: f64| {
@@ -67,7 +67,7 @@ pub(super) fn inward<const D: usize>(
         beside[axis] += step;
         shape.nearest(&beside).map_or(0.0, |nearest| nearest.depth)
     };
-    let step = PROBE * spacing;
+    let step = PROBE * length;
     let slope: Vector<f64, D> = Vector::from_fn(|axis, _| depth(axis, step) - depth(axis, -step));
     slope.try_normalize(1e-3 * step)
 }

@@ -76,6 +76,7 @@ fn beam(settings: &Settings) -> Solid {
     let material = Material::SaintVenant(Elasticity { youngs_modulus: YOUNG, poissons_ratio: POISSON });
     Solid {
         clamp: Some(Clamp::Sides(vec![Side::Left])),
+        slip: Slip::None,
         damping: settings.damping,
         ..Solid::new("beam", place(), THICKNESS / settings.across as f64, settings.density, material)
     }

@@ -132,13 +132,24 @@ impl Surface<'_> {
 }
 
 /// Where two pieces cross, near a place.
+///
+/// From one piece to the other and back; each turn is a share of the one before, so that after two all that would follow is done at
+/// once: where pieces cross at a small angle, hundreds would be needed.
 fn crossing(one: &Piece, other: &Piece, mut place: Place, rounding: f64) -> Option<Place> {
+    let mut before: Option<f64> = None;
     for _ in 0..TURNS {
         let there = other.foot(&place);
-        place = one.foot(&there);
-        if (place - there).norm() <= rounding {
-            return Some(place);
+        let next = one.foot(&there);
+        if (next - there).norm() <= rounding {
+            return Some(next);
         }
+        let turn = next - place;
+        let share = before.map_or(1.0, |before| turn.norm() / before);
+        (place, before) = if share < 1.0 {
+            (one.foot(&(next + turn * (share / (1.0 - share)))), None)
+        } else {
+            (next, Some(turn.norm()))
+        };
     }
     None
 }

@@ -115,3 +115,17 @@ fn a_heap_of_shapes_is_as_far_as_its_nearest_point() {
         );
     }
 }
+
+/// Shapes that cross at 18 degrees: going from one to the other and back alone comes nowhere near.
+#[test]
+fn a_flat_hump_has_its_corner() {
+    let hump = Region::Union(vec![cube([0.0, 0.0], [4.0, 1.0]), circle(2.0, -3.0, 4.2)]);
+    let corner = [2.0 - 1.64_f64.sqrt(), 1.0];
+    let bisector = [0.154, -0.988];
+    let length = f64::hypot(bisector[0], bisector[1]);
+    for away in [0.02, 0.05, 0.1, 0.2] {
+        let place = [0, 1].map(|axis| corner[axis] + away * bisector[axis] / length);
+        let found = depth(&hump, &place);
+        assert!((found - away).abs() < 1e-7, "{found}, not {away}");
+    }
+}
