@@ -88,6 +88,40 @@ fn an_elastic_disc_is_held_measured_and_resumed() {
     assert!(top.iter().all(|y| y.abs() < 1e-4) && top.last().unwrap() != &0.0, "{top:?}");
 }
 
+/// Deflection of the end of a plate that is held on 10 mm, under a weight across it, after it has come to rest; the plate rises by `angle`.
+fn deflection(name: &str, angle: f64, packing: &str) -> f64 {
+    let (sine, cosine) = angle.sin_cos();
+    let turned = |x: f64, y: f64| [0.3 + cosine * x - sine * y, 0.3 + sine * x + cosine * y];
+    let corners = |x: [f64; 2], y: [f64; 2]| {
+        [turned(x[0], y[0]), turned(x[1], y[0]), turned(x[1], y[1]), turned(x[0], y[1])]
+    };
+    let scene = format!(
+        "title = \"A plate\"\nend_time = 3.0\ngravity = {:?}\n\
+         [[solids]]\nname = \"plate\"\n{packing}region = {{ polygon = {:?} }}\nspacing = 5e-3\ndensity = 1000\ndamping = 6.0\n\
+         material = {{ saint_venant = {{ youngs_modulus = 2e6, poissons_ratio = 0.4 }} }}\n\
+         clamp = {{ region = {{ polygon = {:?} }} }}\n\
+         [[probes]]\nname = \"end\"\nmeasure = {{ displacement = {{ solid = \"plate\", at = {:?} }} }}\n\
+         [output]\nprobe_interval = 0.02\n",
+        [0.4905 * sine, -0.4905 * cosine],
+        corners([0.0, 0.2], [0.0, 0.02]),
+        corners([-1e-3, 0.01], [-1e-3, 0.021]),
+        turned(0.2, 0.01),
+    );
+    let (table, _) = results(MPS, name, &["run", file(name, &scene).to_str().unwrap()]);
+    let end = |axis: &str| *table.column(&format!("end {axis} [m]")).unwrap().last().unwrap();
+    end("x").hypot(end("y"))
+}
+
+/// Four particles across. The staircase of a lattice is thinner, and bends more than twice as far.
+#[test]
+fn an_inclined_plate_bends_as_a_level_one() {
+    let level = deflection("level plate", 0.0, "");
+    let angle = 30.0_f64.to_radians();
+    let fitted = deflection("inclined plate", angle, FITTED) / level;
+    let staircase = deflection("inclined plate of a lattice", angle, "") / level;
+    assert!((fitted - 1.0).abs() < 0.05 && staircase > 1.5, "{fitted} {staircase}");
+}
+
 #[test]
 fn what_overlaps_is_still_told() {
     let without_hole = BLOCK.replace(

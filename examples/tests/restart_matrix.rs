@@ -25,7 +25,10 @@ fn matrix(name: &str, scene: &Path) {
     ));
     let table = CsvTable::read(whole.join("probes.csv")).unwrap();
     let end = *table.column("time [s]").unwrap().last().unwrap();
-    let step = *table.column("time step [s]").unwrap().last().unwrap();
+    // A step of bodies alone is a row of the table, whatever its sub-steps.
+    let wet = state(&whole).iter().any(|(name, _)| name.starts_with("wet/"));
+    let step =
+        if wet { *table.column("time step [s]").unwrap().last().unwrap() } else { table.columns[0][1] };
     for (k, moment) in [1e-3 * step, 0.45 * end, end - 1.5 * step].into_iter().enumerate() {
         for [before, after] in THREADS {
             let dir = fresh("restart-matrix", &format!("{name}-{k}-{before}-{after}"));
