@@ -198,7 +198,8 @@ fn a_run_that_is_killed_at_any_moment_loses_an_interval_at_most() {
 #[test]
 #[ignore = "takes minutes"]
 fn two_hundred_kills_lose_nothing() {
-    let alive = killed("killed-often", "0.4", 250, 400);
+    // Long enough for a machine that has nothing else to do.
+    let alive = killed("killed-often", "2.0", 250, 400);
     assert!(alive >= 200, "killed {alive} times");
 }
 
