@@ -115,15 +115,19 @@ pub fn flag_of<T: Real, M: ConstitutiveModel<T, 2>>(
     parallel: &Parallel,
 ) -> Result<Solid<T, 2, M>, Failure> {
     let held = [Face::lower(0)];
-    let half = 0.5 * THICKNESS;
-    let (lower, upper) = ([END[0] - LENGTH, END[1] - half], [END[0], END[1] + half]);
-    let (lower, upper) = (Vector::from(lower.map(T::of)), Vector::from(upper.map(T::of)));
+    let [lower, upper] = corners().map(|corner| Vector::from(corner.map(T::of)));
     let mut counts = body::counts(&lower, &upper, T::of(THICKNESS / across as f64), &held);
     counts[1] = across;
     let block = body::block(lower, upper, counts, &held)?;
     let particles = begin_at(&block, &lower, &upper, |y| clamp.start(y));
     let config = SolidConfig::default();
     Ok(Solid::new(particles, block.spacing, T::of(density), material, WendlandC2, config, parallel)?)
+}
+
+/// Lower left and upper right corner of the flag from the plane on that touches the cylinder \[m\].
+pub fn corners() -> [[f64; 2]; 2] {
+    let half = 0.5 * THICKNESS;
+    [[END[0] - LENGTH, END[1] - half], [END[0], END[1] + half]]
 }
 
 /// The end point A.

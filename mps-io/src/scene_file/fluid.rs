@@ -80,6 +80,13 @@ pub struct Body {
     pub velocity: Point,
 }
 
+impl Body {
+    /// Fluid at rest in a lattice.
+    pub fn new(region: Region, pressure: InitialPressure) -> Self {
+        Self { region, packing: Filling::default(), pressure, velocity: Vec::new() }
+    }
+}
+
 /// Pressure at the start
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

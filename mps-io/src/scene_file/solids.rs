@@ -46,7 +46,7 @@ fn is_zero(number: &f64) -> bool {
 }
 
 impl Solid {
-    /// An elastic body at rest, free, without friction and damping.
+    /// An elastic body at rest, free, without friction and damping; `spacing` \[m\], `density` \[kg/m^3\].
     pub fn new(name: &str, region: Region, spacing: f64, density: f64, material: Material) -> Self {
         Self {
             name: name.into(),

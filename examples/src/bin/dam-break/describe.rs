@@ -9,8 +9,8 @@ use crate::{FRAME_INTERVAL, PROBE_INTERVAL};
 use mps_examples::Refused;
 use mps_examples::scene::form_of;
 use mps_io::scene_file::{
-    Body, Corners, Diffusion, Filling, Fixed, Fluid, FrontProbe, InitialPressure, LevelProbe, Measure,
-    Numerics, Output, Packing, PressureProbe, Probe, Region, SceneFile, Slip, Tension, Viscosity, Wall, Way,
+    Body, Corners, Diffusion, Fixed, Fluid, FrontProbe, InitialPressure, LevelProbe, Measure, Numerics,
+    Output, Packing, PressureProbe, Probe, Region, SceneFile, Slip, Tension, Viscosity, Wall, Way,
 };
 
 /// The scene of these settings. The far wall, whose load the program measures, is a fixed body.
@@ -71,12 +71,7 @@ fn fluid(options: &Options, settings: &Settings) -> Fluid {
         pressure_form: form_of(settings.pressure_form),
         ..Numerics::default()
     };
-    let column = Body {
-        region: Region::between([0.0, 0.0], [LENGTH, HEIGHT]),
-        packing: Filling::Lattice,
-        pressure: InitialPressure::ReleasedColumn,
-        velocity: Vec::new(),
-    };
+    let column = Body::new(Region::between([0.0, 0.0], [LENGTH, HEIGHT]), InitialPressure::ReleasedColumn);
     Fluid {
         density: DENSITY,
         sound_speed: Some(sound_speed(settings)),

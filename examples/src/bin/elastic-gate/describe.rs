@@ -9,8 +9,8 @@ use crate::{FIELD_INTERVAL, FRAME_INTERVAL, PROBE_INTERVAL, SNAPSHOT_INTERVAL};
 use mps_examples::Refused;
 use mps_examples::scene::form_of;
 use mps_io::scene_file::{
-    Body, Clamp, Corners, Diffusion, DisplacementProbe, Elasticity, Filling, Fluid, InitialPressure,
-    Material, Measure, Numerics, Output, Probe, Region, SceneFile, Side, Slip, Solid, Viscosity, Wall,
+    Body, Clamp, Corners, Diffusion, DisplacementProbe, Elasticity, Fluid, InitialPressure, Material,
+    Measure, Numerics, Output, Probe, Region, SceneFile, Side, Slip, Solid, Viscosity, Wall,
 };
 
 /// The scene of these settings.
@@ -58,12 +58,8 @@ fn fluid(options: &Options, settings: &Settings) -> Fluid {
         pressure_form: form_of(settings.pressure_form),
         ..Numerics::default()
     };
-    let body = Body {
-        region: Region::between([0.0, 0.0], [RESERVOIR_WIDTH, WATER_DEPTH]),
-        packing: Filling::Lattice,
-        pressure: InitialPressure::Hydrostatic,
-        velocity: Vec::new(),
-    };
+    let body =
+        Body::new(Region::between([0.0, 0.0], [RESERVOIR_WIDTH, WATER_DEPTH]), InitialPressure::Hydrostatic);
     Fluid {
         sound_speed: Some(sound_speed(settings)),
         viscosity: Viscosity::Artificial(settings.alpha),

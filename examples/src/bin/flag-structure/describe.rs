@@ -4,7 +4,7 @@ use crate::csm3::{FRAMES, PERIOD, SAMPLES};
 use crate::options::Test;
 use crate::{Settings, look};
 use mps_examples::Refused;
-use mps_examples::solid::flag::{self, CYLINDER, END, GRAVITY, LENGTH, RADIUS, RUBBER, THICKNESS};
+use mps_examples::solid::flag::{self, CYLINDER, END, GRAVITY, RADIUS, RUBBER, THICKNESS};
 use mps_io::scene_file::{
     Clamp, Corners, Disc, DisplacementProbe, Elasticity, Material, Measure, Output, Probe, Region, SceneFile,
     Side, Solid,
@@ -17,8 +17,7 @@ use mps_io::scene_file::{
 pub(crate) fn scene(test: Test, settings: &Settings) -> Result<SceneFile, Refused> {
     let remedy = "a scene moves and does not look for rest: give --test csm3, and the flag `damping` in what is printed";
     Refused::unless(test == Test::Csm3, "--test", test.name(), remedy)?;
-    let half = 0.5 * THICKNESS;
-    let region = Region::between([END[0] - LENGTH, END[1] - half], [END[0], END[1] + half]);
+    let [lower, upper] = flag::corners();
     let material =
         Material::SaintVenant(Elasticity { youngs_modulus: RUBBER.young, poissons_ratio: RUBBER.poisson });
     let clamp = match settings.clamp {
@@ -27,7 +26,13 @@ pub(crate) fn scene(test: Test, settings: &Settings) -> Result<SceneFile, Refuse
     };
     let flag = Solid {
         clamp: Some(clamp),
-        ..Solid::new("flag", region, THICKNESS / settings.across as f64, RUBBER.density, material)
+        ..Solid::new(
+            "flag",
+            Region::between(lower, upper),
+            THICKNESS / settings.across as f64,
+            RUBBER.density,
+            material,
+        )
     };
     let tip = DisplacementProbe { solid: "flag".into(), at: END.into() };
     let look = look(test, settings);

@@ -6,8 +6,8 @@ use mps_examples::submerged::{
     BEYOND, CLEARANCE, GRAVITY, LENGTH, POISSON, Settings, THICKNESS, WATER, YOUNG,
 };
 use mps_io::scene_file::{
-    Body, Clamp, DisplacementProbe, Elasticity, Filling, Fluid, ForceProbe, InitialPressure, Material,
-    Measure, Numerics, Output, Probe, Region, SceneFile, Side, Slip, Solid, Viscosity, Wall,
+    Body, Clamp, DisplacementProbe, Elasticity, Fluid, ForceProbe, InitialPressure, Material, Measure,
+    Numerics, Output, Probe, Region, SceneFile, Side, Slip, Solid, Viscosity, Wall,
 };
 
 /// The scene of these settings, which ends at `end_time` \[s\].
@@ -36,12 +36,7 @@ fn place() -> Region {
 
 fn water(settings: &Settings) -> Fluid {
     let tank = Region::between([0.0, 0.0], [LENGTH + BEYOND, Settings::depth()]);
-    let body = Body {
-        region: Region::Difference(vec![tank, place()]),
-        packing: Filling::Lattice,
-        pressure: InitialPressure::Hydrostatic,
-        velocity: Vec::new(),
-    };
+    let body = Body::new(Region::Difference(vec![tank, place()]), InitialPressure::Hydrostatic);
     let viscosity = settings.viscosity;
     Fluid {
         density: WATER,

@@ -2,9 +2,9 @@
 
 use crate::geometry::HEIGHT;
 use crate::setup::{DENSITY, RAMP, Settings, VISCOSITY};
-use mps_examples::solid::flag::{CYLINDER, END, LENGTH, RADIUS, Rubber, THICKNESS};
+use mps_examples::solid::flag::{CYLINDER, END, RADIUS, Rubber, THICKNESS, corners};
 use mps_io::scene_file::{
-    Body, Clamp, Corners, Diffusion, Disc, DisplacementProbe, Elasticity, Filling, Fixed, Fluid, ForceProbe,
+    Body, Clamp, Corners, Diffusion, Disc, DisplacementProbe, Elasticity, Fixed, Fluid, ForceProbe,
     InitialPressure, Inlet, Material, Measure, Numerics, Outlet, Output, Packing, PressureForm, Probe,
     Profile, Region, SceneFile, Side, Slip, Solid, Tension, Viscosity, Wall,
 };
@@ -62,10 +62,9 @@ fn disc(radius: f64) -> Disc {
     Disc { center: CYLINDER.into(), radius }
 }
 
-/// From the plane that touches the cylinder.
 fn flag() -> Region {
-    let half = 0.5 * THICKNESS;
-    Region::between([END[0] - LENGTH, END[1] - half], [END[0], END[1] + half])
+    let [lower, upper] = corners();
+    Region::between(lower, upper)
 }
 
 fn elastic(settings: &Settings, rubber: Rubber) -> Solid {
@@ -115,15 +114,7 @@ fn fluid(settings: &Settings) -> Fluid {
             pressure: None,
             absorbing: true,
         }],
-        ..Fluid::new(
-            settings.spacing,
-            vec![Body {
-                region: water,
-                packing: Filling::Lattice,
-                pressure: InitialPressure::None,
-                velocity: Vec::new(),
-            }],
-        )
+        ..Fluid::new(settings.spacing, vec![Body::new(water, InitialPressure::None)])
     }
 }
 
