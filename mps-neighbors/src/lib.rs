@@ -10,6 +10,7 @@
 //! - [`Parallel`] runs loops whose results do not depend on the number of threads, which
 //!   [`state_hash`] makes visible.
 
+mod awake;
 mod fields;
 pub mod fit;
 mod frozen;

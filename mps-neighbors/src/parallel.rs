@@ -3,6 +3,7 @@
 //! Each loop writes only to its own particle ("gather"), so there is no lock and no scatter; sums are
 //! added in the order of a tree that is the same for any pool.
 
+use crate::awake::Awake;
 use crate::fields::Fields;
 use crate::halves::{BLOCK, FEW, fold_halves, halve, halve_leaves, halve_to};
 use fearless_simd::{Level, Simd};
@@ -23,10 +24,24 @@ use thiserror::Error;
 /// ```
 #[derive(Debug)]
 pub struct Parallel {
-    pool: Option<rayon::ThreadPool>,
+    pool: Option<Pool>,
     threads: usize,
     /// What the processor can do.
     level: Level,
+}
+
+/// More than one thread.
+#[derive(Debug)]
+struct Pool {
+    threads: rayon::ThreadPool,
+    awake: Awake,
+}
+
+impl Pool {
+    /// Runs a loop that is to be shared.
+    fn drive<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        self.awake.drive(&self.threads, work)
+    }
 }
 
 /// What a loop over particles does to one of them, compiled for the vector instructions of the
@@ -67,7 +82,11 @@ impl Parallel {
             _ => rayon::ThreadPoolBuilder::new()
                 .num_threads(threads)
                 .build()
-                .map(|pool| Self { pool: Some(pool), threads, level: Level::new() })
+                .map(|pool| Self {
+                    pool: Some(Pool { threads: pool, awake: Awake::new(threads) }),
+                    threads,
+                    level: Level::new(),
+                })
                 .map_err(|e| ParallelError::Refused { threads, reason: e.to_string() }),
         }
     }
@@ -94,7 +113,7 @@ impl Parallel {
     /// a time loop is best run as a whole in here.
     pub fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         match &self.pool {
-            Some(pool) => pool.install(work),
+            Some(pool) => pool.threads.install(work),
             None => work(),
         }
     }
@@ -103,7 +122,7 @@ impl Parallel {
     /// of slices of equal length, `item` the references to entry `i` of each.
     pub fn update<F: Fields>(&self, fields: F, each: impl Fn(usize, F::Item) + Sync) {
         match &self.pool {
-            Some(_) if fields.len() > FEW => self.install(|| halve(fields, 0, &each)),
+            Some(pool) if fields.len() > FEW => pool.drive(|| halve(fields, 0, &each)),
             _ => fields.for_each(0, &each),
         }
     }
@@ -114,7 +133,7 @@ impl Parallel {
         let level = self.level;
         let leaf = |fields: F, first: usize| run_at(level, fields, first, sweep);
         match &self.pool {
-            Some(_) if fields.len() > FEW => self.install(|| halve_leaves(BLOCK, fields, 0, &leaf)),
+            Some(pool) if fields.len() > FEW => pool.drive(|| halve_leaves(BLOCK, fields, 0, &leaf)),
             _ => leaf(fields, 0),
         }
     }
@@ -130,8 +149,8 @@ impl Parallel {
     /// task of its own.
     pub(crate) fn blocks<B: Send>(&self, blocks: &mut [B], work: impl Fn(usize, &mut B) + Sync) {
         match &self.pool {
-            Some(_) if blocks.len() > 1 => {
-                self.install(|| halve_to(1, blocks, 0, &|i, b: &mut B| work(i, b)))
+            Some(pool) if blocks.len() > 1 => {
+                pool.drive(|| halve_to(1, blocks, 0, &|i, b: &mut B| work(i, b)))
             }
             _ => blocks.for_each(0, &work),
         }
@@ -159,10 +178,9 @@ impl Parallel {
         value: &(impl Fn(usize) -> A + Sync),
         combine: &(impl Fn(A, A) -> A + Sync),
     ) -> A {
-        if self.pool.is_some() && len > FEW {
-            self.install(|| fold_halves(0, len, start, value, combine, true))
-        } else {
-            fold_halves(0, len, start, value, combine, false)
+        match &self.pool {
+            Some(pool) if len > FEW => pool.drive(|| fold_halves(0, len, start, value, combine, true)),
+            _ => fold_halves(0, len, start, value, combine, false),
         }
     }
 }

@@ -1,0 +1,152 @@
+//! Threads that stay awake between two loops.
+//!
+//! A thread of the pool that finds no work falls asleep after some ten microseconds, and to wake it takes as long as a loop over
+//! hundreds of particles (`docs/performance.md`). A step is dozens of loops with little between them. So whoever starts a loop calls the
+//! other threads once, and each of them looks for work until it has found none for [`PATIENCE`].
+
+use rayon::{ThreadPool, Yield};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU8, Ordering::SeqCst};
+use std::time::{Duration, Instant};
+
+/// How long a thread looks for work in vain before it may fall asleep: longer than the small loops of a step that one thread does
+/// alone, and not so long that another program that wants the processor would notice.
+const PATIENCE: Duration = Duration::from_micros(250);
+
+/// Nobody has called the thread.
+const ASLEEP: u8 = 0;
+/// Called, and not there yet.
+const CALLED: u8 = 1;
+/// Looking for work.
+const AWAKE: u8 = 2;
+/// It has started a loop itself: it must return to it as soon as the loop is done, and may not be called.
+const DRIVING: u8 = 3;
+
+/// What each thread of a pool is doing.
+#[derive(Debug)]
+pub(crate) struct Awake {
+    states: Arc<[AtomicU8]>,
+}
+
+impl Awake {
+    pub(crate) fn new(threads: usize) -> Self {
+        Self { states: (0..threads).map(|_| AtomicU8::new(ASLEEP)).collect() }
+    }
+
+    /// Runs a loop on `pool` with all its threads awake.
+    pub(crate) fn drive<R: Send>(&self, pool: &ThreadPool, work: impl FnOnce() -> R + Send) -> R {
+        pool.install(|| {
+            let Some(own) = pool.current_thread_index().and_then(|me| self.states.get(me)) else {
+                return work();
+            };
+            let before = own.swap(DRIVING, SeqCst);
+            self.call(pool);
+            let result = work();
+            // The call that was meant for this thread has been declined meanwhile, or will be.
+            own.store(if before == CALLED { ASLEEP } else { before }, SeqCst);
+            result
+        })
+    }
+
+    /// Calls those who are asleep. Allocates only then.
+    fn call(&self, pool: &ThreadPool) {
+        let mut anybody = false;
+        for state in self.states.iter() {
+            anybody |= state.load(SeqCst) == ASLEEP
+                && state.compare_exchange(ASLEEP, CALLED, SeqCst, SeqCst).is_ok();
+        }
+        if anybody {
+            let states = Arc::clone(&self.states);
+            pool.spawn_broadcast(move |thread| {
+                if let Some(own) = states.get(thread.index()) {
+                    stay(own);
+                }
+            });
+        }
+    }
+}
+
+/// Looks for work until there has been none for a while.
+fn stay(own: &AtomicU8) {
+    if own.compare_exchange(CALLED, AWAKE, SeqCst, SeqCst).is_err() {
+        return;
+    }
+    let mut idle_since = Instant::now();
+    while idle_since.elapsed() < PATIENCE {
+        match rayon::yield_now() {
+            Some(Yield::Executed) => idle_since = Instant::now(),
+            // Whoever else wants the processor gets it.
+            _ => std::thread::yield_now(),
+        }
+    }
+    own.store(ASLEEP, SeqCst);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Parallel;
+    use std::sync::atomic::AtomicUsize;
+
+    const THREADS: usize = 3;
+
+    fn pool() -> (ThreadPool, Awake) {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(THREADS).build().unwrap();
+        (pool, Awake::new(THREADS))
+    }
+
+    fn asleep(awake: &Awake) -> usize {
+        awake.states.iter().filter(|state| state.load(SeqCst) == ASLEEP).count()
+    }
+
+    /// Waits, at most ten seconds, until `done`.
+    fn wait_for(done: impl Fn() -> bool) -> bool {
+        let start = Instant::now();
+        while !done() && start.elapsed() < Duration::from_secs(10) {
+            std::thread::yield_now();
+        }
+        done()
+    }
+
+    #[test]
+    fn the_others_come_when_a_loop_starts_and_go_when_none_has_for_a_while() {
+        let (pool, awake) = pool();
+        let somebody = || awake.states.iter().any(|state| state.load(SeqCst) == AWAKE);
+        // Called in every loop: on a busy machine one may have gone before it is looked for.
+        assert!(wait_for(|| awake.drive(&pool, somebody)), "nobody has come");
+        assert!(wait_for(|| asleep(&awake) == THREADS), "somebody stays for ever");
+        // And once more.
+        assert!(awake.drive(&pool, || wait_for(|| asleep(&awake) == 0)));
+    }
+
+    /// Whoever drives returns as soon as its own loop is done, also where others keep everybody busy.
+    #[test]
+    fn several_may_drive_one_pool() {
+        let parallel = Parallel::new(THREADS).unwrap();
+        let sums = AtomicUsize::new(0);
+        std::thread::scope(|scope| {
+            for _ in 0..4 {
+                scope.spawn(|| {
+                    for _ in 0..200 {
+                        let sum: u64 = parallel.sum(5000, |i| i as u64);
+                        assert_eq!(sum, 12_497_500);
+                        sums.fetch_add(1, SeqCst);
+                    }
+                });
+            }
+        });
+        assert_eq!(sums.load(SeqCst), 800);
+    }
+
+    #[test]
+    fn a_loop_inside_of_a_loop_comes_to_its_end() {
+        let parallel = Parallel::new(THREADS).unwrap();
+        let mut totals = vec![0_u64; 2000];
+        parallel.update(totals.as_mut_slice(), |i, total| {
+            if i % 100 == 0 {
+                *total = parallel.sum(3000, |k| k as u64);
+            }
+        });
+        assert!(totals.iter().step_by(100).all(|total| *total == 4_498_500));
+    }
+}
