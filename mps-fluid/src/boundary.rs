@@ -22,6 +22,9 @@ pub enum Slip {
     Free,
     /// The fluid's viscosity acts against the boundary: at the surface, half a spacing before the first points, the fluid moves with it.
     None,
+    /// A turbulent boundary layer thinner than a particle: the shear stress of a [`WallLaw`](crate::WallLaw) with
+    /// [`FluidConfig::wall_viscosity`](crate::FluidConfig::wall_viscosity), whatever the viscosity of the fluid.
+    Law,
 }
 
 /// What viscosity makes of a boundary point.
@@ -34,6 +37,8 @@ pub enum Shear {
     Fluid,
     /// A wall to which the fluid sticks.
     Wall,
+    /// Nothing: the shear of the wall follows from a [`WallLaw`](crate::WallLaw).
+    Law,
 }
 
 /// Walls and wetted structures as one set of points, never reordered.
@@ -125,7 +130,12 @@ impl<T: Real, const D: usize> Boundary<T, D> {
         self.velocity.resize(end, Vector::zeros());
         self.acceleration.resize(end, Vector::zeros());
         self.force.resize(end, Vector::zeros());
-        self.shear.resize(end, if slip == Slip::None { Shear::Wall } else { Shear::Free });
+        let shear = match slip {
+            Slip::Free => Shear::Free,
+            Slip::None => Shear::Wall,
+            Slip::Law => Shear::Law,
+        };
+        self.shear.resize(end, shear);
         start..end
     }
 }

@@ -98,6 +98,8 @@ pub struct FluidConfig<T: Real, const D: usize> {
     /// the packing also the shifting and the errors of both, so that the two may drift apart in a flow that stirs for long. 0.01 is slow beside sound and fast beside the flow; more feeds noise (`examples/effective_viscosity.rs`); with 0.05 vortices burst. For fluid that fills
     /// its domain: at a free surface the packing is low and the density is not, so it needs [`Tension::Keep`].
     pub density_relaxation: T,
+    /// Kinematic viscosity \[m^2/s\] in the law of walls with [`Slip::Law`](crate::Slip::Law). Default 1e-6, that of water; it has no other effect.
+    pub wall_viscosity: T,
     /// Neighbour rows reach this much beyond `re`, over `l0`; they are rebuilt when a particle has
     /// moved half of it. Costs or saves time only. Default 0.2.
     pub skin_ratio: T,
@@ -120,6 +122,7 @@ impl<T: Real, const D: usize> FluidConfig<T, D> {
             collisions: Some(Dpc::default()),
             shifting: None,
             density_relaxation: T::zero(),
+            wall_viscosity: T::of(1e-6),
             skin_ratio: T::of(0.2),
         }
     }
@@ -182,6 +185,13 @@ impl<T: Real, const D: usize> FluidConfig<T, D> {
         let most = if self.tension == Tension::Keep { 0.03 } else { 0.0 };
         let hint = "0.01 where fluid fills its domain and may be under tension, 0 with a free surface";
         check("density_relaxation", self.density_relaxation, 0.0, most, hint)?;
+        check(
+            "wall_viscosity",
+            self.wall_viscosity,
+            0.0,
+            huge,
+            "of the law of the wall in m2/s, of water 1e-6",
+        )?;
         for &component in self.gravity.iter() {
             check("gravity", component, -huge, huge, "in m/s2")?;
         }

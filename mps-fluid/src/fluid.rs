@@ -154,7 +154,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         self.collide(parallel);
         self.evaluate_pressure(parallel);
         self.sweep_correction(parallel);
-        self.locate_walls(parallel);
+        self.prepare_shear(parallel)?;
         self.sweep_momentum(parallel);
         self.hold_outlets(parallel);
         self.react(parallel);

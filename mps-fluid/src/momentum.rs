@@ -2,8 +2,8 @@
 
 use crate::Push;
 use crate::gather::Gather;
-use crate::no_slip::NoSlip;
 use crate::rates::{Flow, State};
+use crate::shear::WallShear;
 use crate::terms::{Viscosity, WallPair};
 use crate::{Boundary, Fluid};
 use fearless_simd::Simd;
@@ -45,7 +45,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             stress: &self.rates.stress,
             pressure: &self.particles.pressure,
             boundary: &self.boundary,
-            no_slip: self.no_slip(),
+            shear: self.wall_shear(),
             wall: self.wall_pair(),
             viscosity: self.viscosity,
             gravity: self.config.gravity,
@@ -75,7 +75,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
     fn reaction_on(&self, a: usize) -> Vector<T, D> {
         let wall = self.wall_pair();
-        let (boundary, no_slip) = (&self.boundary, self.no_slip());
+        let (boundary, shear) = (&self.boundary, self.wall_shear());
         let fluid = mps_neighbors::RowView { points: &boundary.position, ..self.view(&self.search.reaction) };
         let (state, pressures) = (&self.rates.state, &self.particles.pressure);
         let mass = self.config.particle_mass();
@@ -86,9 +86,12 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             // The same pair, seen from the fluid particle.
             let seen = mps_kernel::Pair { j: a, r_ij: -pair.r_ij, ..*pair };
             let pressure = self.corrected(pair.j, wall.pressure_sum(pressures[pair.j], own, boundary, &seen));
-            let shear = self.viscosity.pair(&seen, &own.velocity, &boundary.velocity[a])
-                * no_slip.share(pair.j, &seen);
-            sum += pressure * pressure_factor - shear;
+            sum += pressure * pressure_factor;
+            if let Some(shear) =
+                shear.pair(&self.viscosity, pair.j, &seen, &own.velocity, &boundary.velocity[a])
+            {
+                sum -= shear;
+            }
         });
         sum * mass
     }
@@ -102,7 +105,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             return Push::default();
         }
         let wall = self.wall_pair();
-        let (walls, no_slip) = (self.boundary_view(), self.no_slip());
+        let (walls, shear) = (self.boundary_view(), self.wall_shear());
         let state = &self.rates.state;
         let pressure_factor = -self.reference.gradient_factor::<D>() / self.config.density;
         let mass = self.config.particle_mass();
@@ -113,9 +116,10 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                 let a = pair.j;
                 if reactive.contains(&a) {
                     let pressure = self.corrected(i, wall.pressure_sum(pi, own, &self.boundary, pair));
-                    let shear = self.viscosity.pair(pair, &own.velocity, &self.boundary.velocity[a]);
                     sum += pressure * pressure_factor;
-                    sum += shear * no_slip.share(i, pair);
+                    let shear =
+                        shear.pair(&self.viscosity, i, pair, &own.velocity, &self.boundary.velocity[a]);
+                    sum += shear.unwrap_or(Vector::zeros());
                 }
             });
             Push::at(&(self.particles.position[i] - center), &(sum * mass))
@@ -135,7 +139,7 @@ struct Momentum<'a, T: Real, const D: usize, K, V, P, const DIFFUSION: bool, con
     stress: &'a [Tensor<T, D>],
     pressure: &'a [T],
     boundary: &'a Boundary<T, D>,
-    no_slip: NoSlip<'a, T, D>,
+    shear: WallShear<'a, T, D>,
     wall: WallPair<T, D>,
     viscosity: V,
     gravity: Vector<T, D>,
@@ -159,9 +163,10 @@ where
             let pressure =
                 self.wall.pressure_sum(self.pressure[i], own, self.boundary, pair) * self.pressure_factor;
             *total += if CORRECTED { self.correction[i] * pressure } else { pressure };
-            let share = self.no_slip.share(i, pair);
-            if share > T::zero() {
-                *total += self.viscosity.pair(pair, &own.velocity, &self.boundary.velocity[a]) * share;
+            if let Some(shear) =
+                self.shear.pair(&self.viscosity, i, pair, &own.velocity, &self.boundary.velocity[a])
+            {
+                *total += shear;
             }
         });
     }

@@ -23,8 +23,10 @@ pub(crate) struct Rates<T: Real, const D: usize> {
     pub(crate) pressure_correction: Vec<Tensor<T, D>>,
     /// `S_i = (p_i n0/n_i) C_i` \[Pa\]; empty in the plain form.
     pub(crate) stress: Vec<Tensor<T, D>>,
-    /// Where the wall is to which the fluid sticks: see [`NoSlip`](crate::no_slip::NoSlip). Empty if it sticks to none.
+    /// Where the wall is to which the fluid sticks: see [`WallShear`](crate::shear::WallShear). Empty if it sticks to none.
     pub(crate) toward_wall: Vec<Vector<T, D>>,
+    /// Drag by the law of the wall, likewise. Empty without such walls.
+    pub(crate) wall_drag: Vec<Vector<T, D>>,
     /// Velocity or position change of the regularisation, in its units; empty without any.
     pub(crate) correction: Vec<Vector<T, D>>,
 }

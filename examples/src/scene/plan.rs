@@ -125,7 +125,8 @@ fn listed(scene: &SceneFile) -> Vec<(bool, &'static str, Option<Priced>)> {
         let artificial = matches!(fluid.viscosity, Viscosity::Artificial(alpha) if alpha > 0.0);
         let laminar = matches!(fluid.viscosity, Viscosity::Laminar(nu) | Viscosity::Compact(nu) if nu > 0.0);
         let slips = scene.walls.iter().map(|wall| wall.slip).chain(scene.fixed.iter().map(|body| body.slip));
-        let sticky = slips.into_iter().any(|slip| slip == Slip::None);
+        let slips: Vec<_> = slips.chain(scene.solids.iter().map(|solid| solid.slip)).collect();
+        let (sticky, law) = (slips.contains(&Slip::None), slips.contains(&Slip::Law));
         let diffusion = match numerics.diffusion {
             Diffusion::Hydrostatic => "hydrostatic-diffusion",
             _ => "filter-diffusion",
@@ -135,6 +136,7 @@ fn listed(scene: &SceneFile) -> Vec<(bool, &'static str, Option<Priced>)> {
             (artificial, "artificial viscosity", alone("artificial-viscosity")),
             (laminar, "laminar viscosity", alone("laminar-viscosity")),
             (laminar && sticky, "walls without slip", Some(Priced("no-slip", "walls+laminar-viscosity"))),
+            (law, "law of the wall", None),
             (numerics.diffusion != Diffusion::None, "density diffusion", alone(diffusion)),
             (numerics.collisions, "collisions (DPC)", alone("collisions")),
             (numerics.shifting > 0, "shifting (icPS)", alone("shifting")),

@@ -43,6 +43,7 @@ pub(super) fn config<T: Real, const D: usize>(fluid: &Fluid, gravity: &[f64]) ->
         },
         collisions: numerics.collisions.then(Dpc::default),
         density_relaxation: T::of(numerics.density_relaxation),
+        wall_viscosity: T::of(fluid.wall_viscosity),
         shifting: (numerics.shifting > 0)
             .then(|| Shifting { iterations: numerics.shifting, ..Shifting::default() }),
         ..FluidConfig::water(T::of(fluid.spacing), T::of(fluid.sound()))
@@ -53,6 +54,7 @@ pub(super) fn slip(slip: Slip) -> physics::Slip {
     match slip {
         Slip::Free => physics::Slip::Free,
         Slip::None => physics::Slip::None,
+        Slip::Law => physics::Slip::Law,
     }
 }
 

@@ -66,7 +66,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// Power per mass \[W/kg\] of the boundary on a particle: of its shear, and of its pressure beyond what only
     /// goes from motion into compression.
     fn work_of_boundary(&self, i: usize, mean: &Vector<T, D>) -> (T, T) {
-        let (wall, no_slip, boundary) = (self.wall_pair(), self.no_slip(), &self.boundary);
+        let (wall, wall_shear, boundary) = (self.wall_pair(), self.wall_shear(), &self.boundary);
         let (own, pressure) = (&self.rates.state[i], self.particles.pressure[i]);
         let factor = self.reference.gradient_factor::<D>();
         let (mut shear, mut force, mut inflow) = (T::zero(), Vector::zeros(), T::zero());
@@ -77,10 +77,10 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             let vector = self.corrected(i, pair.gradient_vector());
             let opening = (boundary.velocity[a] - self.particles.velocity[i]).dot(&vector);
             inflow -= na * boundary.volume[a] * T::of(crate::continuity::MIRROR) * opening;
-            let share = no_slip.share(i, pair);
-            if share > T::zero() {
-                let drag = self.viscosity.pair(pair, &own.velocity, &boundary.velocity[a]);
-                shear += drag.dot(mean) * share;
+            if let Some(drag) =
+                wall_shear.pair(&self.viscosity, i, pair, &own.velocity, &boundary.velocity[a])
+            {
+                shear += drag.dot(mean);
             }
         });
         let motion = -self.corrected(i, force).dot(mean);

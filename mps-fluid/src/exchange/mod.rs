@@ -13,7 +13,7 @@
 //! before it moves; held over the sub-step it would lag once more (`docs/coupling.md`). At the end the continuity equation, closed with the structure's mean
 //! velocity, finds the same compression.
 //!
-//! Shear follows in the same way: `K_ia (u_a - u_i)` is linear in the velocity of the point, and `K_ia` times what has changed of it since the
+//! Shear by viscosity follows in the same way: `K_ia (u_a - u_i)` is linear in the velocity of the point, and `K_ia` times what has changed of it since the
 //! start of the step goes to both sides. Held over the step, the drag on a vibration comes half a period late and drives it.
 
 mod spring;
@@ -70,7 +70,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let mut exchange = core::mem::take(&mut self.exchange);
         exchange.clear();
         if !reactive.is_empty() {
-            let sheared = self.boundary.shear[reactive.clone()].iter().any(|shear| *shear != Shear::Free);
+            let sheared = self.boundary.shear[reactive.clone()]
+                .iter()
+                .any(|shear| matches!(shear, Shear::Wall | Shear::Fluid));
             let sheared = sheared && self.viscosity.kinematic() > T::zero();
             self.link_wetted(&mut exchange, sheared);
             self.link_points(&mut exchange, sheared);
@@ -141,7 +143,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
     /// `K_ia` of a pair seen from fluid particle `i` \[1/s\]: its shear is this times the difference of the velocities.
     fn drag_of(&self, i: usize, pair: &Pair<T, D>) -> Tensor<T, D> {
-        let share = self.no_slip().share(i, pair);
+        let share = self.wall_shear().share(i, pair);
         let mut drag = Tensor::<T, D>::zeros();
         for axis in 0..D {
             let mut along = Vector::<T, D>::zeros();

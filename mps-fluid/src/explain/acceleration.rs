@@ -17,9 +17,9 @@ pub struct AccelerationTerms<T: Real, const D: usize> {
     pub structure_pressure: Vector<T, D>,
     /// Viscosity between fluid particles.
     pub viscosity: Vector<T, D>,
-    /// Shear of walls without slip.
+    /// Shear of walls without slip or with a law of the wall.
     pub wall_shear: Vector<T, D>,
-    /// Shear of structures without slip.
+    /// Shear of structures, likewise.
     pub structure_shear: Vector<T, D>,
     /// Gravity.
     pub gravity: Vector<T, D>,
@@ -161,7 +161,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if self.boundary.is_empty() {
             return neighbors;
         }
-        let (wall, no_slip, boundary) = (self.wall_pair(), self.no_slip(), &self.boundary);
+        let (wall, wall_shear, boundary) = (self.wall_pair(), self.wall_shear(), &self.boundary);
         let (own, pi) = (&self.rates.state[i], self.particles.pressure[i]);
         self.boundary_view().for_each(i, |pair| {
             let a = pair.j;
@@ -169,7 +169,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                 let (pressure, density) = wall.state(pi, own.density, &boundary.acceleration[a], &pair.r_ij);
                 let sum = self.corrected(i, wall.pressure_sum(pi, own, boundary, pair));
                 let velocity = self.shown_velocity(a);
-                let shear = self.viscosity.pair(pair, &own.velocity, &velocity);
+                let shear = wall_shear.pair(&self.viscosity, i, pair, &own.velocity, &velocity);
                 let structure = boundary.reactive.contains(&a);
                 neighbors.push(Neighbor {
                     other: if structure { Other::Structure(a) } else { Other::Wall(a) },
@@ -179,7 +179,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                     density,
                     pressure,
                     push: sum * self.pressure_factor(),
-                    shear: shear * no_slip.share(i, pair),
+                    shear: shear.unwrap_or(Vector::zeros()),
                 });
             }
         });

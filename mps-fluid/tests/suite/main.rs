@@ -34,4 +34,5 @@ mod smoothing;
 mod surface_pressure;
 mod time_step;
 mod wall_consistency;
+mod wall_law;
 mod walls;

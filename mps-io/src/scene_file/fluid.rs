@@ -24,6 +24,9 @@ pub struct Fluid {
     /// Viscosity
     #[serde(default)]
     pub viscosity: Viscosity,
+    /// Kinematic viscosity in the law of walls with the slip `law` (m2/s); it has no other effect
+    #[serde(default = "of_water", skip_serializing_if = "is_of_water")]
+    pub wall_viscosity: f64,
     /// Where the fluid is at the start
     pub bodies: Vec<Body>,
     /// Where fluid enters
@@ -46,6 +49,7 @@ impl Fluid {
             expected_speed: None,
             sound_speed: None,
             viscosity: Viscosity::default(),
+            wall_viscosity: of_water(),
             bodies,
             inlets: Vec::new(),
             outlets: Vec::new(),
@@ -61,6 +65,15 @@ impl Fluid {
 
 fn water() -> f64 {
     1000.0
+}
+
+/// Kinematic viscosity of water \[m^2/s\].
+fn of_water() -> f64 {
+    1e-6
+}
+
+fn is_of_water(viscosity: &f64) -> bool {
+    *viscosity == of_water()
 }
 
 /// A connected piece of fluid at the start

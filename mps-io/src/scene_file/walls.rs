@@ -91,6 +91,9 @@ pub enum Slip {
     Free,
     /// With the surface
     None,
+    /// Held back by a turbulent layer thinner than a particle, whatever the viscosity of the fluid (Werner and Wengle 1991):
+    /// water that runs over a bed for long
+    Law,
 }
 
 /// A motion that is given

@@ -3,7 +3,7 @@
 use crate::options::Options;
 use crate::setup::{
     DENSITY, GRAVITY, HEIGHT, LENGTH, PRESSURE, Release, Settings, Smoothing, TANK, WALL_HEIGHT,
-    WALL_SPACING, bed_length, sound_speed,
+    WALL_SPACING, WALL_VISCOSITY, Walls, bed_length, sound_speed,
 };
 use crate::{FRAME_INTERVAL, PROBE_INTERVAL};
 use mps_examples::Refused;
@@ -76,8 +76,16 @@ fn fluid(options: &Options, settings: &Settings) -> Fluid {
         density: DENSITY,
         sound_speed: Some(sound_speed(settings)),
         viscosity: Viscosity::Artificial(settings.alpha),
+        wall_viscosity: WALL_VISCOSITY,
         numerics,
         ..Fluid::new(settings.spacing, vec![column])
+    }
+}
+
+fn slip(settings: &Settings) -> Slip {
+    match settings.walls {
+        Walls::Law => Slip::Law,
+        Walls::Free => Slip::Free,
     }
 }
 
@@ -85,7 +93,7 @@ fn walls(settings: &Settings) -> Vec<Wall> {
     let depth = settings.radius * settings.spacing;
     let from = TANK - bed_length(settings.spacing, depth);
     let wall =
-        |name: &str, region| Wall { fineness: WALL_SPACING, ..Wall::filling(name, region, Slip::Free) };
+        |name: &str, region| Wall { fineness: WALL_SPACING, ..Wall::filling(name, region, slip(settings)) };
     vec![
         wall("back", Region::between([-depth, 0.0], [0.0, WALL_HEIGHT])),
         wall("bed", Region::between([from, -depth], [TANK, 0.0])),
@@ -99,6 +107,6 @@ fn far_wall(settings: &Settings) -> Fixed {
         region: Region::between([TANK, -depth], [TANK + depth, WALL_HEIGHT]),
         spacing: Some(WALL_SPACING * settings.spacing),
         packing: Packing::Lattice,
-        slip: Slip::Free,
+        slip: slip(settings),
     }
 }

@@ -1,6 +1,6 @@
 //! The command line of the program, and the settings it stands for.
 
-use crate::setup::{HEIGHT, Release, Settings, Smoothing};
+use crate::setup::{HEIGHT, Release, Settings, Smoothing, Walls};
 use clap::Parser;
 use mps_examples::{Common, Preset, PresetFlag, Refused, Weight};
 use mps_fluid::{PressureForm, Tension};
@@ -28,6 +28,9 @@ pub(crate) struct Options {
     /// How the column is let go
     #[arg(long, value_enum, default_value_t = Release::Instant)]
     pub(crate) release: Release,
+    /// How the water moves along bed and walls
+    #[arg(long, value_enum, default_value_t = Walls::Law)]
+    pub(crate) walls: Walls,
     /// Numerical sound speed over the speed of free fall from the surface
     #[arg(long, value_name = "RATIO", default_value_t = 10.0)]
     pub(crate) sound_ratio: f64,
@@ -158,6 +161,7 @@ impl Options {
             radius: self.radius(),
             end_time: self.end_time,
             release: self.release,
+            walls: self.walls,
             sound_ratio: self.sound_ratio,
             cfl: self.cfl,
             diffusion: if self.hydrostatic_diffusion {

@@ -5,7 +5,9 @@ use crate::observe::{Observer, Sample};
 use crate::options::Options;
 use crate::reference::{FRONT, LARGE_SENSOR, SENSORS, SOURCE};
 use crate::sensors::HEIGHTS;
-use crate::setup::{DamBreak, HEIGHT, LENGTH, OPENING_TIME, Release, Settings, TANK, TIME, sound_speed};
+use crate::setup::{
+    DamBreak, HEIGHT, LENGTH, OPENING_TIME, Release, Settings, TANK, TIME, Walls, sound_speed,
+};
 use mps_examples::{Cost, Failure, enter_compressibility, enter_results};
 use mps_io::{CurvePlot, Metric, Summary};
 use mps_kernel::{Kernel, Real};
@@ -67,6 +69,7 @@ pub(crate) fn summary<T: Real, K: Kernel<T>>(
     summary.set("cfl", settings.cfl);
     summary.set("density_diffusion_form", fluid.config().diffusion.name());
     summary.set("density_diffusion", fluid.config().diffusion.delta().to_double());
+    summary.set("walls", if settings.walls == Walls::Law { "law" } else { "free" });
     summary.set("artificial_viscosity", settings.alpha);
     summary.set("keep_tension", options.keep_tension);
     summary.set("collisions", settings.collisions);

@@ -34,6 +34,10 @@ pub(crate) const OPENING_TIME: f64 = HEIGHT / GATE_SPEED / TIME;
 /// Spacing of the points of the walls, over that of the particles: smooth to water that slides by.
 pub(crate) const WALL_SPACING: f64 = 0.5;
 
+/// Kinematic viscosity \[m^2/s\] with which the friction of the walls is that of the experiment: water at twice its size has the Reynolds
+/// number `H sqrt(g H)/nu` of the experiment with `2^(3/2)` times the viscosity.
+pub(crate) const WALL_VISCOSITY: f64 = 1e-6 * 2.0 * std::f64::consts::SQRT_2;
+
 /// The water.
 pub(crate) type Water<T, K> = Fluid<T, 2, K, ArtificialViscosity<T>>;
 
@@ -44,6 +48,15 @@ pub(crate) enum Release {
     Instant,
     /// The gate is lifted from `t = 0` on with the median speed of the experiment
     Lifted,
+}
+
+/// How the water moves along the tank.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Walls {
+    /// Held back by their turbulent boundary layer, as in the experiment
+    Law,
+    /// Freely
+    Free,
 }
 
 /// Diffusion of the density.
@@ -66,6 +79,8 @@ pub(crate) struct Settings {
     pub(crate) end_time: f64,
     /// How the column is let go.
     pub(crate) release: Release,
+    /// How the water moves along bed and walls.
+    pub(crate) walls: Walls,
     /// Numerical sound speed over `sqrt(2 g H)`.
     pub(crate) sound_ratio: f64,
     /// Courant number.
@@ -112,6 +127,7 @@ impl<T: Real, K: Kernel<T>> DamBreak<T, K> {
             Smoothing::Filter(_) => Diffusion::None,
         };
         config.tension = settings.tension;
+        config.wall_viscosity = T::of(WALL_VISCOSITY);
         config.collisions = settings.collisions.then(Dpc::default);
         config.shifting = (settings.shifting > 0)
             .then(|| Shifting { iterations: settings.shifting, ..Shifting::default() });
@@ -129,7 +145,11 @@ impl<T: Real, K: Kernel<T>> DamBreak<T, K> {
         // A quarter of a particle each.
         let volume = T::of(WALL_SPACING * WALL_SPACING);
         let depth = settings.radius * l0;
-        boundary.add_fine_wall(&tank(l0, depth), volume, Slip::Free);
+        let slip = match settings.walls {
+            Walls::Law => Slip::Law,
+            Walls::Free => Slip::Free,
+        };
+        boundary.add_fine_wall(&tank(l0, depth), volume, slip);
         let gate = match settings.release {
             Release::Instant => 0..0,
             Release::Lifted => {
@@ -138,7 +158,7 @@ impl<T: Real, K: Kernel<T>> DamBreak<T, K> {
         };
         let wall = far_wall(l0, depth);
         // A structure, because only of those the load is kept.
-        boundary.add_structure(&wall, wall.iter().map(|_| volume), Slip::Free);
+        boundary.add_structure(&wall, wall.iter().map(|_| volume), slip);
         let (c, alpha) = (config.sound_speed, T::of(settings.alpha));
         let viscosity = |reference: &_| ArtificialViscosity::new::<2>(alpha, c, reference);
         let fluid = Fluid::new(config, weight, viscosity, Open, particles, boundary)?;

@@ -57,7 +57,11 @@ fn borders() -> Vec<Border> {
 
 fn run(options: &Options) -> Result<(), Failure> {
     let borders = borders();
-    options.check(&borders.iter().map(|border| border.name).collect::<Vec<_>>())?;
+    let names: Vec<_> = borders.iter().map(|border| border.name).collect();
+    if let Some(name) = map::without_scene(&names) {
+        return Err(format!("map.rs has the border {name}, and there is no scene of it").into());
+    }
+    options.check(&names)?;
     let wanted = borders.iter().filter(|border| options.wants(border.name));
     if !options.at.is_empty() {
         for (border, value) in wanted.flat_map(|border| options.at.iter().map(move |value| (border, value))) {

@@ -1,6 +1,8 @@
 //! The scene as a whole, and its names.
 
+use super::super::fluid::Fluid;
 use super::super::scene::SceneFile;
+use super::super::walls::Slip;
 use super::Checker;
 
 impl Checker<'_> {
@@ -21,6 +23,7 @@ impl Checker<'_> {
         );
         if let Some(fluid) = &scene.fluid {
             self.fluid(fluid, &scene.gravity);
+            self.law_of_the_wall(scene, fluid);
         }
         let l0 = scene.fluid.as_ref().map(|fluid| fluid.spacing);
         let no_fluid = "give the scene a [fluid], or leave the walls out";
@@ -59,6 +62,27 @@ impl Checker<'_> {
         }
         self.output(scene);
         self.watch(&scene.watch);
+    }
+
+    /// Its viscosity, if there is something with such a slip.
+    fn law_of_the_wall(&mut self, scene: &SceneFile, fluid: &Fluid) {
+        let walls = scene.walls.iter().map(|wall| wall.slip);
+        let bodies =
+            scene.fixed.iter().map(|body| body.slip).chain(scene.solids.iter().map(|solid| solid.slip));
+        let key = "fluid.wall_viscosity";
+        let water = "give that of water, 1e-6";
+        self.within(fluid.wall_viscosity, [0.0, 1e6], key, water);
+        if walls.chain(bodies).any(|slip| slip == Slip::Law) {
+            // Beyond that the layers of the fluid are thicker than a particle.
+            let most = 0.25 * fluid.spacing * fluid.sound();
+            let what = format!(
+                "is {}, and the law of the wall holds up to {most:e} at this spacing",
+                fluid.wall_viscosity
+            );
+            let remedy =
+                "give that of water, 1e-6, or the walls slip = \"none\" and the fluid a laminar viscosity";
+            self.unless(fluid.wall_viscosity <= most || most <= 0.0, key, what, remedy);
+        }
     }
 
     /// Names become parts of file names and headings of columns.

@@ -1,0 +1,86 @@
+//! Shear between the fluid and boundary points: none, as of fluid, of walls to which the fluid sticks, or by a law of the wall.
+
+mod no_slip;
+mod surface;
+mod wall_law;
+
+use crate::boundary::{Boundary, Shear};
+use crate::terms::Viscosity;
+use crate::{Fluid, FluidError};
+use mps_kernel::{Kernel, Pair, Real, Vector};
+use mps_neighbors::{Domain, Parallel};
+
+pub use wall_law::WallLaw;
+
+/// What a sweep needs to know the shear of boundary points.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct WallShear<'a, T: Real, const D: usize> {
+    boundary: &'a Boundary<T, D>,
+    /// `q_i` \[1/m\] of walls without slip; empty if the fluid sticks to none.
+    toward_wall: &'a [Vector<T, D>],
+    /// Drag of the law of the wall \[m/s^2\] for a unit of `V_a W_ia`; empty without such walls.
+    wall_drag: &'a [Vector<T, D>],
+}
+
+impl<T: Real, const D: usize> WallShear<'_, T, D> {
+    /// What the shear of a pair of fluid layers is multiplied with for the point `pair.j`, seen from fluid particle `i`; zero where
+    /// viscosity does not reach the point.
+    #[inline(always)]
+    pub(crate) fn share(&self, i: usize, pair: &Pair<T, D>) -> T {
+        match self.boundary.shear[pair.j] {
+            Shear::Free | Shear::Law => T::zero(),
+            Shear::Fluid => self.boundary.volume[pair.j],
+            // Without viscosity nobody has looked where the wall is.
+            Shear::Wall => self.toward_wall.get(i).map_or(T::zero(), |toward| {
+                self.boundary.volume[pair.j] * toward.dot(&pair.r_ij).max(T::zero())
+            }),
+        }
+    }
+
+    /// Acceleration \[m/s^2\] of fluid particle `i`, of velocity `ui` \[m/s\], by the shear of the point `pair.j`, of velocity `ua` \[m/s\];
+    /// `None` with free slip.
+    #[inline(always)]
+    pub(crate) fn pair<V: Viscosity<T, D>>(
+        &self,
+        viscosity: &V,
+        i: usize,
+        pair: &Pair<T, D>,
+        ui: &Vector<T, D>,
+        ua: &Vector<T, D>,
+    ) -> Option<Vector<T, D>> {
+        match self.boundary.shear[pair.j] {
+            Shear::Free => None,
+            Shear::Law => {
+                self.wall_drag.get(i).map(|drag| drag * (self.boundary.volume[pair.j] * pair.weight))
+            }
+            Shear::Fluid | Shear::Wall => {
+                let share = self.share(i, pair);
+                (share > T::zero()).then(|| viscosity.pair(pair, ui, ua) * share)
+            }
+        }
+    }
+}
+
+impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
+    /// Finds for every particle what its walls ask for: where those without slip are, and how those with a law of the wall drag.
+    ///
+    /// # Errors
+    /// If a law of the wall is asked for a fluid too viscous for it.
+    pub(crate) fn prepare_shear(&mut self, parallel: &Parallel) -> Result<(), FluidError> {
+        if self.viscosity.kinematic() > T::zero() && self.boundary.shear.contains(&Shear::Wall) {
+            self.locate_walls(parallel);
+        }
+        if self.boundary.shear.contains(&Shear::Law) {
+            self.drag_by_law(parallel)?;
+        }
+        Ok(())
+    }
+
+    pub(crate) fn wall_shear(&self) -> WallShear<'_, T, D> {
+        WallShear {
+            boundary: &self.boundary,
+            toward_wall: &self.rates.toward_wall,
+            wall_drag: &self.rates.wall_drag,
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! Where the surface of a wall is, seen from a particle.
+
+use crate::boundary::{Boundary, Shear};
+use mps_kernel::{Kernel, Neighborhood, Real, Vector};
+use mps_neighbors::{Domain, RowView};
+
+/// The surface of the walls of one kind, as a particle sees it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Surface<T: Real, const D: usize> {
+    /// Direction towards the wall: that of `sum_a V_a e_ia W_ia/r`.
+    pub(crate) toward: Vector<T, D>,
+    /// How far away it is \[m\]: it lies half the spacing of the nearest point before that.
+    pub(crate) distance: T,
+}
+
+impl<T: Real, const D: usize> Surface<T, D> {
+    /// The surface that the points with this `shear` show particle `i`; `None` away from them.
+    pub(crate) fn seen_from<K: Kernel<T>, P: Domain<T, D>>(
+        i: usize,
+        walls: &RowView<'_, T, D, K, P>,
+        boundary: &Boundary<T, D>,
+        shear: Shear,
+        spacing: T,
+    ) -> Option<Self> {
+        let mut lean = Vector::<T, D>::zeros();
+        walls.for_each(i, |pair| {
+            if boundary.shear[pair.j] == shear {
+                lean += pair.gradient_vector() * boundary.volume[pair.j];
+            }
+        });
+        let norm = lean.norm();
+        if norm <= T::zero() {
+            return None;
+        }
+        let toward = lean / norm;
+        let mut distance = walls.radius;
+        walls.for_each(i, |pair| {
+            if boundary.shear[pair.j] == shear {
+                let size = boundary.volume[pair.j].powf(T::one() / T::of(D as f64)) * spacing;
+                distance = distance.min(toward.dot(&pair.r_ij) - size * T::of(0.5));
+            }
+        });
+        Some(Self { toward, distance })
+    }
+}
