@@ -99,13 +99,16 @@ mod tests {
         awake.states.iter().filter(|state| state.load(SeqCst) == ASLEEP).count()
     }
 
-    /// Waits, at most ten seconds, until `done`.
+    /// Whether it is `done` within ten seconds.
     fn wait_for(done: impl Fn() -> bool) -> bool {
         let start = Instant::now();
-        while !done() && start.elapsed() < Duration::from_secs(10) {
+        while start.elapsed() < Duration::from_secs(10) {
+            if done() {
+                return true;
+            }
             std::thread::yield_now();
         }
-        done()
+        false
     }
 
     #[test]
