@@ -22,7 +22,7 @@ pub enum Slip {
     Free,
     /// The fluid's viscosity acts against the boundary: at the surface, half a spacing before the first points, the fluid moves with it.
     None,
-    /// A turbulent boundary layer thinner than a particle: the shear stress of a [`WallLaw`](crate::WallLaw) with
+    /// A turbulent boundary layer too steep for particles to resolve: the shear stress of a [`WallLaw`](crate::WallLaw) with
     /// [`FluidConfig::wall_viscosity`](crate::FluidConfig::wall_viscosity), whatever the viscosity of the fluid.
     Law,
 }

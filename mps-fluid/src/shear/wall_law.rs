@@ -1,7 +1,7 @@
-//! Walls with a turbulent boundary layer thinner than a particle.
+//! Walls with a turbulent boundary layer too steep for particles.
 //!
-//! At the Reynolds numbers of water that runs over a bed the layer that friction slows is a fraction of a spacing thick. What it does to the
-//! water above follows from the velocity just outside of it by a law of the wall, here that of Werner and Wengle (8th Symp. Turbulent Shear Flows
+//! At the Reynolds numbers of water that runs over a bed most of the velocity is gained within a fraction of a spacing from the wall. The friction there
+//! follows from the velocity half a spacing away by a law of the wall, here that of Werner and Wengle (8th Symp. Turbulent Shear Flows
 //! 1991, 19-4), with `u+ = u/u*`, `y+ = y u*/nu` and `tau = rho u*^2`:
 //!
 //! ```text

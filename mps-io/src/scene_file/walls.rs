@@ -91,7 +91,7 @@ pub enum Slip {
     Free,
     /// With the surface
     None,
-    /// Held back by a turbulent layer thinner than a particle, whatever the viscosity of the fluid (Werner and Wengle 1991):
+    /// Held back by a turbulent boundary layer too steep for particles, whatever the viscosity of the fluid (Werner and Wengle 1991):
     /// water that runs over a bed for long
     Law,
 }

@@ -75,12 +75,12 @@ pub(crate) struct Options {
     pub(crate) common: Common,
 }
 
-/// What the presets stand for; their errors are in `docs/trade.md`; those of the cheap ones are held by `examples/tests/presets.rs`.
+/// What the presets stand for; their errors are in `docs/trade.md`, whose sweep has walls without friction; those of the cheap ones are held by `examples/tests/presets.rs`.
 pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
     match preset {
-        Preset::Fast => &[("spacing", "0.03"), ("cfl", "1"), ("sound-ratio", "5")],
-        Preset::Balanced => &[("spacing", "0.02")],
-        Preset::Accurate => &[("spacing", "0.01")],
+        Preset::Fast => &[("walls", "free"), ("spacing", "0.03"), ("cfl", "1"), ("sound-ratio", "5")],
+        Preset::Balanced => &[("walls", "free"), ("spacing", "0.02")],
+        Preset::Accurate => &[("walls", "free"), ("spacing", "0.01")],
     }
 }
 

@@ -75,7 +75,7 @@ fn at(rows: &[f64], height: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::setup::{DENSITY, DamBreak, GRAVITY, LENGTH, Release, Settings, Smoothing, TANK};
+    use crate::setup::{DENSITY, DamBreak, GRAVITY, LENGTH, Release, Settings, Smoothing, TANK, Walls};
     use mps_fluid::Tension;
     use mps_kernel::weights::WendlandGradient;
     use mps_neighbors::Parallel;
@@ -92,6 +92,7 @@ mod tests {
                 end_time: 1.0,
                 // The pressure of the column at rest.
                 release: Release::Lifted,
+                walls: Walls::Law,
                 sound_ratio: 10.0,
                 cfl: 0.5,
                 diffusion: Smoothing::Filter(0.5),
