@@ -39,12 +39,9 @@ impl Awake {
             let Some(own) = pool.current_thread_index().and_then(|me| self.states.get(me)) else {
                 return work();
             };
-            let before = own.swap(DRIVING, SeqCst);
+            let _driving = Driving { own, before: own.swap(DRIVING, SeqCst) };
             self.call(pool);
-            let result = work();
-            // The call that was meant for this thread has been declined meanwhile, or will be.
-            own.store(if before == CALLED { ASLEEP } else { before }, SeqCst);
-            result
+            work()
         })
     }
 
@@ -63,6 +60,19 @@ impl Awake {
                 }
             });
         }
+    }
+}
+
+/// Gives the thread back its state when its loop is done, also by a panic.
+struct Driving<'a> {
+    own: &'a AtomicU8,
+    before: u8,
+}
+
+impl Drop for Driving<'_> {
+    fn drop(&mut self) {
+        // A call that was meant for this thread has been declined meanwhile, or will be.
+        self.own.store(if self.before == CALLED { ASLEEP } else { self.before }, SeqCst);
     }
 }
 
