@@ -84,7 +84,7 @@ impl Physics {
     pub fn sources(self) -> &'static [&'static str] {
         match self {
             Self::Walls => &["mps-fluid/src/terms/wall.rs", "mps-fluid/src/terms/guard.rs"],
-            Self::NoSlip => &["mps-fluid/src/no_slip.rs"],
+            Self::NoSlip => &["mps-fluid/src/shear/no_slip.rs", "mps-fluid/src/shear/surface.rs"],
             // Formulas of lanes: their instructions belong to the files of the lanes.
             Self::Artificial | Self::Laminar | Self::Filter | Self::Hydrostatic => &[],
             Self::Collisions => &["mps-fluid/src/regularize/dpc.rs"],

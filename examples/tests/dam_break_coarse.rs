@@ -12,9 +12,8 @@ fn a_coarse_dam_break_arrives_on_time_and_keeps_its_books() {
     assert!(late.abs() < 0.03, "the water arrives {:+.1} % of the time late", late * 100.0);
     let front = value("front_rms");
     assert!(front < 0.06, "the front is off by {front} of the length of the column");
-    // The peak is one particle on one sensor (docs/dam-break.md) and says nothing at this spacing.
-    let inside = value("band_fraction_sensor1");
-    assert!(inside > 0.7, "{inside} of the time the lowest sensor is inside the band of the experiments");
+    let peak = value("peak_sensor1");
+    assert!((2.09..3.7).contains(&peak), "the first peak {peak} is outside of the experiments");
     let noise = value("pressure_noise");
     assert!(noise < 0.15, "the pressure is noisy by {noise} rho g H");
     assert_eq!(value("leaked_particles"), 0.0);

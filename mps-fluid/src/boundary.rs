@@ -24,6 +24,7 @@ pub enum Slip {
     None,
     /// A turbulent boundary layer too steep for particles to resolve: the shear stress of a [`WallLaw`](crate::WallLaw) with
     /// [`FluidConfig::wall_viscosity`](crate::FluidConfig::wall_viscosity), whatever the viscosity of the fluid.
+    /// On a structure it is held over the sub-steps.
     Law,
 }
 

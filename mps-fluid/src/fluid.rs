@@ -122,6 +122,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             stage: Stage::Between,
             starts: None,
         };
+        fluid.check_law()?;
         // So that the pressure belongs to the density from the start.
         fluid.evaluate_pressure(&Parallel::serial());
         Ok(fluid)

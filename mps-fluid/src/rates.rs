@@ -23,9 +23,9 @@ pub(crate) struct Rates<T: Real, const D: usize> {
     pub(crate) pressure_correction: Vec<Tensor<T, D>>,
     /// `S_i = (p_i n0/n_i) C_i` \[Pa\]; empty in the plain form.
     pub(crate) stress: Vec<Tensor<T, D>>,
-    /// Where the wall is to which the fluid sticks: see [`WallShear`](crate::shear::WallShear). Empty if it sticks to none.
+    /// Where the wall is to which the fluid sticks: see [`WallShear`](crate::shear::WallShear). Empty if it has never stuck to one.
     pub(crate) toward_wall: Vec<Vector<T, D>>,
-    /// Drag by the law of the wall, likewise. Empty without such walls.
+    /// Drag by the law of the wall, likewise. Empty if there has never been such a wall.
     pub(crate) wall_drag: Vec<Vector<T, D>>,
     /// Velocity or position change of the regularisation, in its units; empty without any.
     pub(crate) correction: Vec<Vector<T, D>>,

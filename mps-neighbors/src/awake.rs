@@ -3,8 +3,12 @@
 //! A thread of the pool that finds no work falls asleep after some ten microseconds, and to wake it takes as long as a loop over
 //! hundreds of particles (`docs/performance.md`). A step is dozens of loops with little between them. So whoever starts a loop calls the
 //! other threads once, and each of them looks for work until it has found none for [`PATIENCE`].
+//!
+//! A thread may be called while it waits for the other half of a part of a loop it has taken over. It must not look for work then, or whoever waits for
+//! its part would wait as long as anybody else has work: hence [`join`], which keeps count.
 
 use rayon::{ThreadPool, Yield};
+use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering::SeqCst};
 use std::time::{Duration, Instant};
@@ -45,6 +49,12 @@ impl Awake {
         })
     }
 
+    /// How many threads nobody has called.
+    #[cfg(test)]
+    pub(crate) fn asleep(&self) -> usize {
+        self.states.iter().filter(|state| state.load(SeqCst) == ASLEEP).count()
+    }
+
     /// Calls those who are asleep. Allocates only then.
     fn call(&self, pool: &ThreadPool) {
         let mut anybody = false;
@@ -76,9 +86,33 @@ impl Drop for Driving<'_> {
     }
 }
 
+thread_local! {
+    /// How many parts of loops this thread is in.
+    static PARTS: Cell<u32> = const { Cell::new(0) };
+}
+
+/// [`rayon::join`] of two parts of a loop.
+pub(crate) fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
+    rayon::join(|| part(a), || part(b))
+}
+
+/// Runs a part of a loop, during which the thread declines to be called.
+fn part<R>(work: impl FnOnce() -> R) -> R {
+    struct Part;
+    impl Drop for Part {
+        fn drop(&mut self) {
+            PARTS.set(PARTS.get() - 1);
+        }
+    }
+    PARTS.set(PARTS.get() + 1);
+    let _part = Part;
+    work()
+}
+
 /// Looks for work until there has been none for a while.
 fn stay(own: &AtomicU8) {
-    if own.compare_exchange(CALLED, AWAKE, SeqCst, SeqCst).is_err() {
+    let answer = if PARTS.get() > 0 { ASLEEP } else { AWAKE };
+    if own.compare_exchange(CALLED, answer, SeqCst, SeqCst).is_err() || answer == ASLEEP {
         return;
     }
     let mut idle_since = Instant::now();
@@ -105,10 +139,6 @@ mod tests {
         (pool, Awake::new(THREADS))
     }
 
-    fn asleep(awake: &Awake) -> usize {
-        awake.states.iter().filter(|state| state.load(SeqCst) == ASLEEP).count()
-    }
-
     /// Whether it is `done` within ten seconds.
     fn wait_for(done: impl Fn() -> bool) -> bool {
         let start = Instant::now();
@@ -127,12 +157,34 @@ mod tests {
         let somebody = || awake.states.iter().any(|state| state.load(SeqCst) == AWAKE);
         // Called in every loop: on a busy machine one may have gone before it is looked for.
         assert!(wait_for(|| awake.drive(&pool, somebody)), "nobody has come");
-        assert!(wait_for(|| asleep(&awake) == THREADS), "somebody stays for ever");
+        assert!(wait_for(|| awake.asleep() == THREADS), "somebody stays for ever");
         // And once more.
-        assert!(awake.drive(&pool, || wait_for(|| asleep(&awake) == 0)));
+        assert!(wait_for(|| awake.drive(&pool, somebody)), "nobody has come again");
     }
 
-    /// Whoever drives returns as soon as its own loop is done, also where others keep everybody busy.
+    /// Called within a part of a loop, a thread declines, and may be called again.
+    #[test]
+    fn who_is_in_a_part_of_a_loop_does_not_stay() {
+        let state = AtomicU8::new(CALLED);
+        part(|| stay(&state));
+        assert_eq!((state.load(SeqCst), PARTS.get()), (ASLEEP, 0));
+        assert!(std::panic::catch_unwind(|| part(|| assert!(!true_for_sure()))).is_err());
+        assert_eq!(PARTS.get(), 0, "a part that panics has ended as well");
+    }
+
+    fn true_for_sure() -> bool {
+        std::hint::black_box(true)
+    }
+
+    #[test]
+    fn a_loop_that_panics_leaves_its_thread_as_it_was() {
+        let (pool, awake) = pool();
+        let driven = std::panic::AssertUnwindSafe(|| awake.drive(&pool, || assert!(!true_for_sure())));
+        assert!(std::panic::catch_unwind(driven).is_err());
+        assert!(wait_for(|| awake.asleep() == THREADS));
+    }
+
+    /// All loops come to their end, and nobody is left in a wrong state.
     #[test]
     fn several_may_drive_one_pool() {
         let parallel = Parallel::new(THREADS).unwrap();
@@ -149,6 +201,7 @@ mod tests {
             }
         });
         assert_eq!(sums.load(SeqCst), 800);
+        assert!(wait_for(|| parallel.asleep() == THREADS));
     }
 
     #[test]

@@ -3,13 +3,14 @@
 //! The tree, and with it the order of every sum, is a function of the number of particles alone, whatever
 //! the pool. Halves differ by one particle at most: a thread that waits for the other half falls asleep.
 
+use crate::awake::join;
 use crate::fields::Fields;
 
 /// Most particles that a leaf of the recursion handles in sequence.
 pub(crate) const BLOCK: usize = 512;
 
-/// Loops over no more particles than this stay on the calling thread: between two of them the others fall asleep,
-/// and waking one takes as long (`docs/performance.md`).
+/// Loops over no more particles than this stay on the calling thread: measured with threads that fall asleep between two loops; sharing
+/// smaller ones gains nothing with those that stay awake either (`docs/performance.md`).
 pub(crate) const FEW: usize = 1024;
 
 /// [`Parallel::update`](crate::Parallel::update) on the pool the caller runs in, or on the calling thread if in none.
@@ -45,7 +46,7 @@ pub(crate) fn halve_leaves<F: Fields>(
     }
     let cut = fields.len() / 2;
     let (left, right) = fields.cut(cut);
-    rayon::join(|| halve_leaves(block, left, first, leaf), || halve_leaves(block, right, first + cut, leaf));
+    join(|| halve_leaves(block, left, first, leaf), || halve_leaves(block, right, first + cut, leaf));
 }
 
 /// Folds `value(i)` over `first..first + len`, with the pool the caller runs in if `threads`.
@@ -63,7 +64,7 @@ pub(crate) fn fold_halves<A: Copy + Send + Sync>(
     let cut = len / 2;
     let left = || fold_halves(first, cut, start, value, combine, threads);
     let right = || fold_halves(first + cut, len - cut, start, value, combine, threads);
-    let (a, b) = if threads { rayon::join(left, right) } else { (left(), right()) };
+    let (a, b) = if threads { join(left, right) } else { (left(), right()) };
     combine(a, b)
 }
 

@@ -170,6 +170,12 @@ impl Parallel {
         self.fold(len, least, &value, &|a, b| if b > a { b } else { a })
     }
 
+    /// How many threads nobody has called.
+    #[cfg(test)]
+    pub(crate) fn asleep(&self) -> usize {
+        self.pool.as_ref().map_or(0, |pool| pool.awake.asleep())
+    }
+
     /// Folds `value(i)` with an associative-in-exact-arithmetic `combine`, whose order is fixed.
     pub fn fold<A: Copy + Send + Sync>(
         &self,

@@ -26,7 +26,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let walls = self.boundary_view();
         let spacing = self.config.spacing;
         parallel.update(toward_wall.as_mut_slice(), |i, q| {
-            let surface = Surface::seen_from(i, &walls, &self.boundary, Shear::Wall, spacing);
+            // All points count: what is nearest to a particle in a corner is taken for the surface.
+            let surface = Surface::seen_from(i, &walls, &self.boundary, Shear::Wall, spacing, None);
             *q = surface.map_or(Vector::zeros(), |surface| {
                 surface.toward / surface.distance.max(spacing * T::of(NEAREST))
             });

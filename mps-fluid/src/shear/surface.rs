@@ -14,13 +14,15 @@ pub(crate) struct Surface<T: Real, const D: usize> {
 }
 
 impl<T: Real, const D: usize> Surface<T, D> {
-    /// The surface that the points with this `shear` show particle `i`; `None` away from them.
+    /// The surface that the points with this `shear` show particle `i`; `None` away from them. Its distance is looked for among the points whose
+    /// direction has at least the cosine `ahead` with that towards the wall, or among all.
     pub(crate) fn seen_from<K: Kernel<T>, P: Domain<T, D>>(
         i: usize,
         walls: &RowView<'_, T, D, K, P>,
         boundary: &Boundary<T, D>,
         shear: Shear,
         spacing: T,
+        ahead: Option<T>,
     ) -> Option<Self> {
         let mut lean = Vector::<T, D>::zeros();
         walls.for_each(i, |pair| {
@@ -35,9 +37,11 @@ impl<T: Real, const D: usize> Surface<T, D> {
         let toward = lean / norm;
         let mut distance = walls.radius;
         walls.for_each(i, |pair| {
-            if boundary.shear[pair.j] == shear {
+            let along = toward.dot(&pair.r_ij);
+            let counts = ahead.is_none_or(|ahead| along >= ahead * pair.distance());
+            if boundary.shear[pair.j] == shear && counts {
                 let size = boundary.volume[pair.j].powf(T::one() / T::of(D as f64)) * spacing;
-                distance = distance.min(toward.dot(&pair.r_ij) - size * T::of(0.5));
+                distance = distance.min(along - size * T::of(0.5));
             }
         });
         Some(Self { toward, distance })

@@ -30,6 +30,9 @@ const FACTOR: f64 = 8.3;
 /// Exponent of the power law.
 const EXPONENT: f64 = 1.0 / 7.0;
 
+/// Cosine to the direction towards the wall from which on a point counts as ahead: the points of the other wall of a corner, or of one behind, do not.
+const AHEAD: f64 = 0.7;
+
 /// Largest viscosity over `c l0`: a step at the limit of sound takes half of the velocity of the first row with it.
 const MOST_VISCOUS: f64 = 0.25;
 
@@ -56,20 +59,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// Finds the drag of the walls with a law, for every particle.
     ///
     /// # Errors
-    /// If the fluid is so viscous that its layers are thicker than a spacing: the law would be wrong, and a step too long for it.
+    /// See [`check_law`](Self::check_law).
     pub(super) fn drag_by_law(&mut self, parallel: &Parallel) -> Result<(), FluidError> {
-        let thinnest = (self.config.spacing * self.config.sound_speed).to_double() * MOST_VISCOUS;
-        let value = self.config.wall_viscosity.to_double();
-        if value > thinnest {
-            let hint = "in m2/s; layers of a fluid as viscous as that are thicker than a particle: give its walls no slip instead of a law";
-            return Err(FluidError::Parameter {
-                name: "wall_viscosity",
-                value,
-                low: 0.0,
-                high: thinnest,
-                hint,
-            });
-        }
+        self.check_law()?;
         let mut wall_drag = core::mem::take(&mut self.rates.wall_drag);
         wall_drag.resize(self.particles.position.len(), Vector::zeros());
         parallel
@@ -78,10 +70,25 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         Ok(())
     }
 
+    /// Refuses what the law is not for.
+    ///
+    /// # Errors
+    /// If there are walls with a law and the fluid is so viscous that its layers are thicker than a spacing: the law would be wrong, and a step too
+    /// long for it.
+    pub(crate) fn check_law(&self) -> Result<(), FluidError> {
+        let most = (self.config.spacing * self.config.sound_speed).to_double() * MOST_VISCOUS;
+        let value = self.config.wall_viscosity.to_double();
+        if value <= most || !self.boundary.shear.contains(&Shear::Law) {
+            return Ok(());
+        }
+        let hint = "in m2/s; layers of a fluid as viscous as that are thicker than a particle: give its walls no slip instead of a law, and the fluid this viscosity";
+        Err(FluidError::Parameter { name: "wall_viscosity", value, low: 0.0, high: most, hint })
+    }
+
     /// Drag on a particle for a unit of `V_a W_ia` \[m/s^2\]; `None` where no wall with a law drags it.
     fn law_at(&self, i: usize) -> Option<Vector<T, D>> {
         let (walls, boundary, spacing) = (self.boundary_view(), &self.boundary, self.config.spacing);
-        let surface = Surface::seen_from(i, &walls, boundary, Shear::Law, spacing)?;
+        let surface = Surface::seen_from(i, &walls, boundary, Shear::Law, spacing, Some(T::of(AHEAD)))?;
         let share = (T::of(1.5) - surface.distance / spacing).min(T::one());
         if share <= T::zero() {
             return None;

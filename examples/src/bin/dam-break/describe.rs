@@ -72,13 +72,16 @@ fn fluid(options: &Options, settings: &Settings) -> Fluid {
         ..Numerics::default()
     };
     let column = Body::new(Region::between([0.0, 0.0], [LENGTH, HEIGHT]), InitialPressure::ReleasedColumn);
+    let mut water = Fluid::new(settings.spacing, vec![column]);
+    if settings.walls == Walls::Law {
+        water.wall_viscosity = WALL_VISCOSITY;
+    }
     Fluid {
         density: DENSITY,
         sound_speed: Some(sound_speed(settings)),
         viscosity: Viscosity::Artificial(settings.alpha),
-        wall_viscosity: WALL_VISCOSITY,
         numerics,
-        ..Fluid::new(settings.spacing, vec![column])
+        ..water
     }
 }
 

@@ -29,7 +29,7 @@ pub(crate) struct Options {
     #[arg(long, value_enum, default_value_t = Release::Instant)]
     pub(crate) release: Release,
     /// How the water moves along bed and walls
-    #[arg(long, value_enum, default_value_t = Walls::Law)]
+    #[arg(long, value_enum, default_value_t = Walls::Free)]
     pub(crate) walls: Walls,
     /// Numerical sound speed over the speed of free fall from the surface
     #[arg(long, value_name = "RATIO", default_value_t = 10.0)]
@@ -75,12 +75,12 @@ pub(crate) struct Options {
     pub(crate) common: Common,
 }
 
-/// What the presets stand for; their errors are in `docs/trade.md`, whose sweep has walls without friction; those of the cheap ones are held by `examples/tests/presets.rs`.
+/// What the presets stand for; their errors are in `docs/trade.md`; those of the cheap ones are held by `examples/tests/presets.rs`.
 pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
     match preset {
-        Preset::Fast => &[("walls", "free"), ("spacing", "0.03"), ("cfl", "1"), ("sound-ratio", "5")],
-        Preset::Balanced => &[("walls", "free"), ("spacing", "0.02")],
-        Preset::Accurate => &[("walls", "free"), ("spacing", "0.01")],
+        Preset::Fast => &[("spacing", "0.03"), ("cfl", "1"), ("sound-ratio", "5")],
+        Preset::Balanced => &[("spacing", "0.02")],
+        Preset::Accurate => &[("spacing", "0.01")],
     }
 }
 

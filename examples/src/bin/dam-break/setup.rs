@@ -53,10 +53,10 @@ pub(crate) enum Release {
 /// How the water moves along the tank.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum Walls {
-    /// Held back by their turbulent boundary layer, as in the experiment
-    Law,
     /// Freely
     Free,
+    /// Held back by their turbulent boundary layer, as in the experiment
+    Law,
 }
 
 /// Diffusion of the density.

@@ -67,12 +67,16 @@ impl Checker<'_> {
     /// Its viscosity, if there is something with such a slip.
     fn law_of_the_wall(&mut self, scene: &SceneFile, fluid: &Fluid) {
         let walls = scene.walls.iter().map(|wall| wall.slip);
-        let bodies =
-            scene.fixed.iter().map(|body| body.slip).chain(scene.solids.iter().map(|solid| solid.slip));
+        let bodies = scene.fixed.iter().map(|body| body.slip);
         let key = "fluid.wall_viscosity";
         let water = "give that of water, 1e-6";
         self.within(fluid.wall_viscosity, [0.0, 1e6], key, water);
-        if walls.chain(bodies).any(|slip| slip == Slip::Law) {
+        for (k, _) in scene.solids.iter().enumerate().filter(|(_, solid)| solid.slip == Slip::Law) {
+            let remedy = "its drag is held over the sub-steps of a body, which has not been tried: give \"free\" or \"none\"";
+            self.unless(false, &format!("solids[{k}].slip"), "is \"law\"", remedy);
+        }
+        let known = (0.0..=1e6).contains(&fluid.wall_viscosity);
+        if known && walls.chain(bodies).any(|slip| slip == Slip::Law) {
             // Beyond that the layers of the fluid are thicker than a particle.
             let most = 0.25 * fluid.spacing * fluid.sound();
             let what = format!(
