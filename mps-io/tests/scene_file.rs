@@ -133,6 +133,26 @@ fn what_a_run_is_watched_for_is_read_and_written_and_refused_where_it_makes_no_s
 }
 
 #[test]
+fn walls_with_a_law_are_read_and_written_and_refused_where_it_does_not_hold() {
+    let law = SCENE.replace("slip = \"none\"", "slip = \"law\"");
+    let scene = read(&law).unwrap();
+    assert_eq!((scene.walls[0].slip, scene.fluid.as_ref().unwrap().wall_viscosity), (Slip::Law, 1e-6));
+    assert!(!scene.to_toml().unwrap().contains("wall_viscosity"), "the default is left out");
+    let thick = law.replace("spacing = 0.005\nexpected", "spacing = 0.005\nwall_viscosity = 3e-6\nexpected");
+    let scene = read(&thick).unwrap();
+    assert_eq!(read(&scene.to_toml().unwrap()).unwrap(), scene);
+    // The law holds up to a quarter of spacing times sound speed.
+    let honey = thick.replace("3e-6", "0.03");
+    let Err(SceneError::Refused(problems)) = read(&honey) else { panic!("honey is not refused") };
+    assert_eq!(problems[0].key, "fluid.wall_viscosity");
+    assert!(problems[0].to_string().contains("laminar"), "{}", problems[0]);
+    assert!(read(&honey.replace("slip = \"law\"", "slip = \"free\"")).is_ok(), "nobody asks for it");
+    let body = law.replace("[[solids]]\n", "[[solids]]\nslip = \"law\"\n");
+    let Err(SceneError::Refused(problems)) = read(&body) else { panic!("a body is not refused") };
+    assert_eq!(problems[0].key, "solids[0].slip");
+}
+
+#[test]
 fn every_problem_is_found_at_once() {
     let text = SCENE.replace("end_time = 0.5", "end_time = 0").replace("density = 1100", "density = -1");
     let Err(SceneError::Refused(problems)) = read(&text) else { panic!("not refused") };

@@ -10,7 +10,7 @@
 use rayon::{ThreadPool, Yield};
 use std::cell::Cell;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU8, Ordering::SeqCst};
+use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering::SeqCst};
 use std::time::{Duration, Instant};
 
 /// How long a thread looks for work in vain before it may fall asleep: longer than the small loops of a step that one thread does
@@ -30,11 +30,12 @@ const DRIVING: u8 = 3;
 #[derive(Debug)]
 pub(crate) struct Awake {
     states: Arc<[AtomicU8]>,
+    calls: AtomicUsize,
 }
 
 impl Awake {
     pub(crate) fn new(threads: usize) -> Self {
-        Self { states: (0..threads).map(|_| AtomicU8::new(ASLEEP)).collect() }
+        Self { states: (0..threads).map(|_| AtomicU8::new(ASLEEP)).collect(), calls: AtomicUsize::new(0) }
     }
 
     /// Runs a loop on `pool` with all its threads awake.
@@ -47,6 +48,11 @@ impl Awake {
             self.call(pool);
             work()
         })
+    }
+
+    /// How often somebody has been called.
+    pub(crate) fn calls(&self) -> usize {
+        self.calls.load(SeqCst)
     }
 
     /// How many threads nobody has called.
@@ -63,6 +69,7 @@ impl Awake {
                 && state.compare_exchange(ASLEEP, CALLED, SeqCst, SeqCst).is_ok();
         }
         if anybody {
+            self.calls.fetch_add(1, SeqCst);
             let states = Arc::clone(&self.states);
             pool.spawn_broadcast(move |thread| {
                 if let Some(own) = states.get(thread.index()) {
@@ -130,7 +137,6 @@ fn stay(own: &AtomicU8) {
 mod tests {
     use super::*;
     use crate::Parallel;
-    use std::sync::atomic::AtomicUsize;
 
     const THREADS: usize = 3;
 

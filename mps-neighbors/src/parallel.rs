@@ -170,6 +170,12 @@ impl Parallel {
         self.fold(len, least, &value, &|a, b| if b > a { b } else { a })
     }
 
+    /// How often threads that had fallen asleep have been called into a loop, because nothing was shared for a while or because the machine
+    /// was busy. A call allocates; loops do not.
+    pub fn calls(&self) -> usize {
+        self.pool.as_ref().map_or(0, |pool| pool.awake.calls())
+    }
+
     /// How many threads nobody has called.
     #[cfg(test)]
     pub(crate) fn asleep(&self) -> usize {
