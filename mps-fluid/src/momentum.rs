@@ -163,12 +163,15 @@ where
             let pressure =
                 self.wall.pressure_sum(self.pressure[i], own, self.boundary, pair) * self.pressure_factor;
             *total += if CORRECTED { self.correction[i] * pressure } else { pressure };
-            if let Some(shear) =
-                self.shear.pair(&self.viscosity, i, pair, &own.velocity, &self.boundary.velocity[a])
-            {
-                *total += shear;
+            let share = self.shear.share(i, pair);
+            if share > T::zero() {
+                *total += self.viscosity.pair(pair, &own.velocity, &self.boundary.velocity[a]) * share;
             }
         });
+        // In a loop of its own, so that it costs nothing where there is no such wall.
+        if let Some(law) = self.shear.law_at(i) {
+            self.walls.for_each(i, |pair| *total += law.pair(pair));
+        }
     }
 }
 

@@ -38,7 +38,7 @@ impl<T: Real, const D: usize> WallShear<'_, T, D> {
     }
 
     /// Acceleration \[m/s^2\] of fluid particle `i`, of velocity `ui` \[m/s\], by the shear of the point `pair.j`, of velocity `ua` \[m/s\];
-    /// `None` with free slip.
+    /// `None` where there is none.
     #[inline(always)]
     pub(crate) fn pair<V: Viscosity<T, D>>(
         &self,
@@ -48,15 +48,35 @@ impl<T: Real, const D: usize> WallShear<'_, T, D> {
         ui: &Vector<T, D>,
         ua: &Vector<T, D>,
     ) -> Option<Vector<T, D>> {
+        let share = self.share(i, pair);
+        if share > T::zero() {
+            return Some(viscosity.pair(pair, ui, ua) * share);
+        }
+        self.law_at(i).map(|law| law.pair(pair))
+    }
+
+    /// What drags fluid particle `i` by the law of the wall; `None` without such walls.
+    #[inline(always)]
+    pub(crate) fn law_at(&self, i: usize) -> Option<LawOfWall<'_, T, D>> {
+        self.wall_drag.get(i).map(|drag| LawOfWall { boundary: self.boundary, drag })
+    }
+}
+
+/// The drag of the walls with a law on one particle.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LawOfWall<'a, T: Real, const D: usize> {
+    boundary: &'a Boundary<T, D>,
+    /// \[m/s^2\] for a unit of `V_a W_ia`.
+    drag: &'a Vector<T, D>,
+}
+
+impl<T: Real, const D: usize> LawOfWall<'_, T, D> {
+    /// The part of the point `pair.j` \[m/s^2\].
+    #[inline(always)]
+    pub(crate) fn pair(&self, pair: &Pair<T, D>) -> Vector<T, D> {
         match self.boundary.shear[pair.j] {
-            Shear::Free => None,
-            Shear::Law => {
-                self.wall_drag.get(i).map(|drag| drag * (self.boundary.volume[pair.j] * pair.weight))
-            }
-            Shear::Fluid | Shear::Wall => {
-                let share = self.share(i, pair);
-                (share > T::zero()).then(|| viscosity.pair(pair, ui, ua) * share)
-            }
+            Shear::Law => self.drag * (self.boundary.volume[pair.j] * pair.weight),
+            _ => Vector::zeros(),
         }
     }
 }

@@ -27,7 +27,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let spacing = self.config.spacing;
         parallel.update(toward_wall.as_mut_slice(), |i, q| {
             // All points count: what is nearest to a particle in a corner is taken for the surface.
-            let surface = Surface::seen_from(i, &walls, &self.boundary, Shear::Wall, spacing, None);
+            let surface = Surface::seen_from(i, &walls, &self.boundary, Shear::Wall, spacing, |_, _| true);
             *q = surface.map_or(Vector::zeros(), |surface| {
                 surface.toward / surface.distance.max(spacing * T::of(NEAREST))
             });

@@ -1,7 +1,7 @@
 //! Where the surface of a wall is, seen from a particle.
 
 use crate::boundary::{Boundary, Shear};
-use mps_kernel::{Kernel, Neighborhood, Real, Vector};
+use mps_kernel::{Kernel, Neighborhood, Pair, Real, Vector};
 use mps_neighbors::{Domain, RowView};
 
 /// The surface of the walls of one kind, as a particle sees it.
@@ -14,15 +14,15 @@ pub(crate) struct Surface<T: Real, const D: usize> {
 }
 
 impl<T: Real, const D: usize> Surface<T, D> {
-    /// The surface that the points with this `shear` show particle `i`; `None` away from them. Its distance is looked for among the points whose
-    /// direction has at least the cosine `ahead` with that towards the wall, or among all.
+    /// The surface that the points with this `shear` show particle `i`; `None` away from them. Its distance is looked for among the points that
+    /// count, told how far they are along the direction towards the wall \[m\].
     pub(crate) fn seen_from<K: Kernel<T>, P: Domain<T, D>>(
         i: usize,
         walls: &RowView<'_, T, D, K, P>,
         boundary: &Boundary<T, D>,
         shear: Shear,
         spacing: T,
-        ahead: Option<T>,
+        counts: impl Fn(T, &Pair<T, D>) -> bool,
     ) -> Option<Self> {
         let mut lean = Vector::<T, D>::zeros();
         walls.for_each(i, |pair| {
@@ -38,8 +38,7 @@ impl<T: Real, const D: usize> Surface<T, D> {
         let mut distance = walls.radius;
         walls.for_each(i, |pair| {
             let along = toward.dot(&pair.r_ij);
-            let counts = ahead.is_none_or(|ahead| along >= ahead * pair.distance());
-            if boundary.shear[pair.j] == shear && counts {
+            if boundary.shear[pair.j] == shear && counts(along, pair) {
                 let size = boundary.volume[pair.j].powf(T::one() / T::of(D as f64)) * spacing;
                 distance = distance.min(along - size * T::of(0.5));
             }

@@ -22,7 +22,7 @@ use super::surface::Surface;
 use crate::boundary::Shear;
 use crate::terms::Viscosity;
 use crate::{Fluid, FluidError};
-use mps_kernel::{Kernel, Neighborhood, Real, Vector};
+use mps_kernel::{Kernel, Neighborhood, Pair, Real, Vector};
 use mps_neighbors::{Domain, Parallel};
 
 /// Factor of the power law (Werner and Wengle 1991).
@@ -88,7 +88,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// Drag on a particle for a unit of `V_a W_ia` \[m/s^2\]; `None` where no wall with a law drags it.
     fn law_at(&self, i: usize) -> Option<Vector<T, D>> {
         let (walls, boundary, spacing) = (self.boundary_view(), &self.boundary, self.config.spacing);
-        let surface = Surface::seen_from(i, &walls, boundary, Shear::Law, spacing, Some(T::of(AHEAD)))?;
+        let ahead = |along: T, pair: &Pair<T, D>| along >= T::of(AHEAD) * pair.distance();
+        let surface = Surface::seen_from(i, &walls, boundary, Shear::Law, spacing, ahead)?;
         let share = (T::of(1.5) - surface.distance / spacing).min(T::one());
         if share <= T::zero() {
             return None;
