@@ -169,8 +169,8 @@ where
             }
         });
         // In a loop of its own, so that it costs nothing where there is no such wall.
-        if let Some(law) = self.shear.law_at(i) {
-            self.walls.for_each(i, |pair| *total += law.pair(pair));
+        if let Some(drag) = self.shear.drag_at(i) {
+            self.walls.for_each(i, |pair| *total += drag.pair(pair));
         }
     }
 }

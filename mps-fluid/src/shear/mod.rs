@@ -52,25 +52,25 @@ impl<T: Real, const D: usize> WallShear<'_, T, D> {
         if share > T::zero() {
             return Some(viscosity.pair(pair, ui, ua) * share);
         }
-        self.law_at(i).map(|law| law.pair(pair))
+        self.drag_at(i).map(|drag| drag.pair(pair))
     }
 
     /// What drags fluid particle `i` by the law of the wall; `None` without such walls.
     #[inline(always)]
-    pub(crate) fn law_at(&self, i: usize) -> Option<LawOfWall<'_, T, D>> {
-        self.wall_drag.get(i).map(|drag| LawOfWall { boundary: self.boundary, drag })
+    pub(crate) fn drag_at(&self, i: usize) -> Option<WallDrag<'_, T, D>> {
+        self.wall_drag.get(i).map(|drag| WallDrag { boundary: self.boundary, drag })
     }
 }
 
 /// The drag of the walls with a law on one particle.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct LawOfWall<'a, T: Real, const D: usize> {
+pub(crate) struct WallDrag<'a, T: Real, const D: usize> {
     boundary: &'a Boundary<T, D>,
     /// \[m/s^2\] for a unit of `V_a W_ia`.
     drag: &'a Vector<T, D>,
 }
 
-impl<T: Real, const D: usize> LawOfWall<'_, T, D> {
+impl<T: Real, const D: usize> WallDrag<'_, T, D> {
     /// The part of the point `pair.j` \[m/s^2\].
     #[inline(always)]
     pub(crate) fn pair(&self, pair: &Pair<T, D>) -> Vector<T, D> {

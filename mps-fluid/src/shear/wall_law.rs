@@ -65,7 +65,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let mut wall_drag = core::mem::take(&mut self.rates.wall_drag);
         wall_drag.resize(self.particles.position.len(), Vector::zeros());
         parallel
-            .update(wall_drag.as_mut_slice(), |i, drag| *drag = self.law_at(i).unwrap_or(Vector::zeros()));
+            .update(wall_drag.as_mut_slice(), |i, drag| *drag = self.drag_on(i).unwrap_or(Vector::zeros()));
         self.rates.wall_drag = wall_drag;
         Ok(())
     }
@@ -86,7 +86,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     }
 
     /// Drag on a particle for a unit of `V_a W_ia` \[m/s^2\]; `None` where no wall with a law drags it.
-    fn law_at(&self, i: usize) -> Option<Vector<T, D>> {
+    fn drag_on(&self, i: usize) -> Option<Vector<T, D>> {
         let (walls, boundary, spacing) = (self.boundary_view(), &self.boundary, self.config.spacing);
         let ahead = |along: T, pair: &Pair<T, D>| along >= T::of(AHEAD) * pair.distance();
         let surface = Surface::seen_from(i, &walls, boundary, Shear::Law, spacing, ahead)?;
@@ -148,7 +148,7 @@ mod tests {
     }
 
     /// Another formula for the same: the friction of a turbulent layer 10 mm thick under 2 m/s by Blasius (Schlichting, Boundary-Layer
-    /// Theory, eq. 21.5 of the 7th edition), `u*^2 = 0.0225 U^2 (nu/(U delta))^(1/4)`.
+    /// Theory, 7th edition, chapter 21), `u*^2 = 0.0225 U^2 (nu/(U delta))^(1/4)`.
     #[test]
     fn the_friction_of_a_thick_layer_is_that_of_blasius() {
         let law = WallLaw { viscosity: 1e-6 };
