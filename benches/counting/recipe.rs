@@ -10,6 +10,8 @@ pub enum Physics {
     Walls,
     /// Walls with no slip, in a fluid with laminar viscosity.
     NoSlip,
+    /// Walls with the law of the wall.
+    WallLaw,
     /// Artificial viscosity.
     Artificial,
     /// Laminar viscosity.
@@ -36,9 +38,10 @@ pub enum Physics {
 
 impl Physics {
     /// All of them.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Walls,
         Self::NoSlip,
+        Self::WallLaw,
         Self::Artificial,
         Self::Laminar,
         Self::Filter,
@@ -57,6 +60,7 @@ impl Physics {
         match self {
             Self::Walls => "walls",
             Self::NoSlip => "no-slip",
+            Self::WallLaw => "wall-law",
             Self::Artificial => "artificial-viscosity",
             Self::Laminar => "laminar-viscosity",
             Self::Filter => "filter-diffusion",
@@ -75,6 +79,7 @@ impl Physics {
     pub fn base(self) -> &'static str {
         match self {
             Self::NoSlip => "walls+laminar-viscosity",
+            Self::WallLaw => "walls",
             Self::Structure => "scene",
             _ => "bare",
         }
@@ -85,6 +90,7 @@ impl Physics {
         match self {
             Self::Walls => &["mps-fluid/src/terms/wall.rs", "mps-fluid/src/terms/guard.rs"],
             Self::NoSlip => &["mps-fluid/src/shear/no_slip.rs", "mps-fluid/src/shear/surface.rs"],
+            Self::WallLaw => &["mps-fluid/src/shear/wall_law.rs"],
             // Formulas of lanes: their instructions belong to the files of the lanes.
             Self::Artificial | Self::Laminar | Self::Filter | Self::Hydrostatic => &[],
             Self::Collisions => &["mps-fluid/src/regularize/dpc.rs"],
@@ -115,6 +121,8 @@ impl Recipe {
     pub(super) fn walls(self) -> Option<Slip> {
         if self.has(Physics::NoSlip) {
             Some(Slip::None)
+        } else if self.has(Physics::WallLaw) {
+            Some(Slip::Law)
         } else {
             self.has(Physics::Walls).then_some(Slip::Free)
         }

@@ -89,6 +89,8 @@ fn help_names_every_flag() {
         "--spacing",
         "--end-time",
         "--release",
+        "--walls",
+        "--preset",
         "--sound-ratio",
         "--cfl",
         "--diffusion",

@@ -9,11 +9,15 @@ fn a_coarse_dam_break_arrives_on_time_and_keeps_its_books() {
     let summary = common::completed(env!("CARGO_BIN_EXE_dam-break"), "dam-break", &["--spacing", "0.02"]);
     let value = |name: &str| summary.metrics[name].value;
     let late = summary.metrics["arrival_sensor1"].error.unwrap();
-    assert!(late.abs() < 0.03, "the water arrives {:+.1} % of the time late", late * 100.0);
+    // With walls that do not hold it back it is 0.2 % late.
+    assert!((0.01..0.03).contains(&late), "the water arrives {:+.1} % of the time late", late * 100.0);
     let front = value("front_rms");
     assert!(front < 0.06, "the front is off by {front} of the length of the column");
-    let peak = value("peak_sensor1");
-    assert!((2.09..3.7).contains(&peak), "the first peak {peak} is outside of the experiments");
+    let inside = value("band_fraction_sensor1");
+    assert!(inside > 0.6, "the lowest sensor is inside the band of the experiments for {inside} of the time");
+    // The largest value is that of the particle that comes first, and outside of the experiments at any spacing (docs/dam-break.md): held is the mean.
+    let impact = summary.metrics["impact_mean_sensor1"].error.unwrap();
+    assert!((-0.4..0.2).contains(&impact), "the first impact is off by {:+.0} %", impact * 100.0);
     let noise = value("pressure_noise");
     assert!(noise < 0.15, "the pressure is noisy by {noise} rho g H");
     assert_eq!(value("leaked_particles"), 0.0);

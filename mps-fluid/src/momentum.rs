@@ -168,7 +168,7 @@ where
                 *total += self.viscosity.pair(pair, &own.velocity, &self.boundary.velocity[a]) * share;
             }
         });
-        // In a loop of its own, so that it costs nothing where there is no such wall.
+        // In a loop of its own, so that it costs nothing where no such wall is near.
         if let Some(drag) = self.shear.drag_at(i) {
             self.walls.for_each(i, |pair| *total += drag.pair(pair));
         }

@@ -136,7 +136,7 @@ fn listed(scene: &SceneFile) -> Vec<(bool, &'static str, Option<Priced>)> {
             (artificial, "artificial viscosity", alone("artificial-viscosity")),
             (laminar, "laminar viscosity", alone("laminar-viscosity")),
             (laminar && sticky, "walls without slip", Some(Priced("no-slip", "walls+laminar-viscosity"))),
-            (law, "law of the wall", None),
+            (law, "law of the wall", Some(Priced("wall-law", "walls"))),
             (numerics.diffusion != Diffusion::None, "density diffusion", alone(diffusion)),
             (numerics.collisions, "collisions (DPC)", alone("collisions")),
             (numerics.shifting > 0, "shifting (icPS)", alone("shifting")),

@@ -69,6 +69,7 @@ mod tests {
             "bare",
             "walls",
             "no-slip",
+            "wall-law",
             "walls+laminar-viscosity",
             "artificial-viscosity",
             "laminar-viscosity",

@@ -55,10 +55,11 @@ impl<T: Real, const D: usize> WallShear<'_, T, D> {
         self.drag_at(i).map(|drag| drag.pair(pair))
     }
 
-    /// What drags fluid particle `i` by the law of the wall; `None` without such walls.
+    /// What drags fluid particle `i` by the law of the wall; `None` away from such walls.
     #[inline(always)]
     pub(crate) fn drag_at(&self, i: usize) -> Option<WallDrag<'_, T, D>> {
-        self.wall_drag.get(i).map(|drag| WallDrag { boundary: self.boundary, drag })
+        let drag = self.wall_drag.get(i).filter(|drag| **drag != Vector::<T, D>::zeros())?;
+        Some(WallDrag { boundary: self.boundary, drag })
     }
 }
 

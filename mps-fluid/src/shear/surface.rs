@@ -36,11 +36,16 @@ impl<T: Real, const D: usize> Surface<T, D> {
         }
         let toward = lean / norm;
         let mut distance = walls.radius;
+        // Most walls have points of one size: the root is not taken anew for every pair.
+        let (mut volume, mut half) = (T::zero(), T::zero());
         walls.for_each(i, |pair| {
             let along = toward.dot(&pair.r_ij);
             if boundary.shear[pair.j] == shear && counts(along, pair) {
-                let size = boundary.volume[pair.j].powf(T::one() / T::of(D as f64)) * spacing;
-                distance = distance.min(along - size * T::of(0.5));
+                if boundary.volume[pair.j] != volume {
+                    volume = boundary.volume[pair.j];
+                    half = volume.powf(T::one() / T::of(D as f64)) * spacing * T::of(0.5);
+                }
+                distance = distance.min(along - half);
             }
         });
         Some(Self { toward, distance })

@@ -3,7 +3,7 @@
 //! A number whose part of the run has not been reached is `None`.
 
 use crate::observe::Sample;
-use crate::reference::{Band, FRONT};
+use crate::reference::{Band, FRONT, SensorRecord};
 use crate::setup::{HEIGHT, LENGTH};
 
 /// `p/(rho g H)` at which the water counts as arrived at a sensor.
@@ -15,6 +15,8 @@ pub(crate) const COMPARED: [f64; 2] = [2.4, 6.0];
 const CALM: [f64; 2] = [3.0, 5.5];
 /// What changes faster than this is noise, over `sqrt(H/g)`.
 const NOISE_WINDOW: f64 = 0.1;
+/// How long the first impact lasts, over `sqrt(H/g)`: the median of the experiments stays above 2 for a tenth.
+const IMPACT: f64 = 0.1;
 /// End of the first peak.
 const FIRST_PEAK_ENDS: f64 = 3.0;
 
@@ -31,6 +33,22 @@ pub(crate) fn first_peak(samples: &[Sample], sensor: usize) -> Option<f64> {
     reached(samples, FIRST_PEAK_ENDS)?;
     let before = samples.iter().take_while(|s| s.time < FIRST_PEAK_ENDS);
     Some(before.map(|s| s.pressure[sensor]).fold(0.0, f64::max))
+}
+
+/// Mean pressure over [`IMPACT`] from the arrival on, over `rho g H`. Unlike the largest value it does not hang on the particle that comes first.
+pub(crate) fn impact_mean(samples: &[Sample], sensor: usize) -> Option<f64> {
+    let from = arrival(samples, sensor)?;
+    reached(samples, from + IMPACT)?;
+    let impact = between(samples, [from, from + IMPACT]);
+    Some(impact.iter().map(|s| s.pressure[sensor]).sum::<f64>() / impact.len() as f64)
+}
+
+/// The same of the median of the experiments.
+pub(crate) fn measured_impact(record: &SensorRecord) -> Option<f64> {
+    const TIMES: u32 = 100;
+    let time = |k: u32| record.arrival + IMPACT * (f64::from(k) + 0.5) / f64::from(TIMES);
+    let medians = (0..TIMES).map(|k| Some(Band::at(record.points, time(k))?[0]));
+    Some(medians.sum::<Option<f64>>()? / f64::from(TIMES))
 }
 
 /// Share of the time in [`COMPARED`] in which the pressure lies inside the band of the experiments.
@@ -187,6 +205,16 @@ mod tests {
         }
     }
 
+    /// Of the lowest sensor, where the pressure is there at once.
+    #[test]
+    fn the_first_impact_of_the_experiment_is_that_of_its_median() {
+        let run = record(|t| Band::at(SENSORS[0].points, t).map_or(0.0, |[median, ..]| median), |_| 0.0);
+        let (impact, measured) = (impact_mean(&run, 0).unwrap(), measured_impact(&SENSORS[0]).unwrap());
+        assert!((impact / measured - 1.0).abs() < 0.05, "{impact}, {measured}");
+        // The median stays above 2 that long.
+        assert!((2.2..2.3).contains(&measured), "{measured}");
+    }
+
     #[test]
     fn a_front_that_is_early_by_a_tenth_leads_by_a_tenth() {
         let run = record(|_| 0.0, |t| measured_front(t + 0.1));
@@ -213,6 +241,7 @@ mod tests {
         let run = record(|_| 0.0, |_| 0.0);
         let short = &run[..500];
         assert!(arrival(short, 0).is_none() && first_peak(short, 0).is_none());
+        assert!(impact_mean(short, 0).is_none());
         assert!(band_fraction(short, 0, SENSORS[0].points).is_none());
         assert!(large_sensor_mean(short).is_none());
         assert!(front_error(short, 0.5).is_none() && pressure_noise(short).is_none());

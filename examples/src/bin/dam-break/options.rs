@@ -29,7 +29,7 @@ pub(crate) struct Options {
     #[arg(long, value_enum, default_value_t = Release::Instant)]
     pub(crate) release: Release,
     /// How the water moves along bed and walls
-    #[arg(long, value_enum, default_value_t = Walls::Free)]
+    #[arg(long, value_enum, default_value_t = Walls::Law)]
     pub(crate) walls: Walls,
     /// Numerical sound speed over the speed of free fall from the surface
     #[arg(long, value_name = "RATIO", default_value_t = 10.0)]
@@ -79,8 +79,14 @@ pub(crate) struct Options {
 pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
     match preset {
         Preset::Fast => &[("spacing", "0.03"), ("cfl", "1"), ("sound-ratio", "5")],
-        Preset::Balanced => &[("spacing", "0.02")],
-        Preset::Accurate => &[("spacing", "0.01")],
+        Preset::Balanced => &[
+            ("spacing", "0.02"),
+            ("radius", "3"),
+            ("cfl", "0.8"),
+            ("sound-ratio", "5"),
+            ("precision", "f32"),
+        ],
+        Preset::Accurate => &[("spacing", "0.01"), ("cfl", "1"), ("sound-ratio", "5")],
     }
 }
 

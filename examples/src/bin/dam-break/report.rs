@@ -1,6 +1,9 @@
 //! The plots against the experiment and summary.json.
 
-use crate::metrics::{arrival, band_fraction, first_peak, front_error, large_sensor_mean, pressure_noise};
+use crate::metrics::{
+    arrival, band_fraction, first_peak, front_error, impact_mean, large_sensor_mean, measured_impact,
+    pressure_noise,
+};
 use crate::observe::{Observer, Sample};
 use crate::options::Options;
 use crate::reference::{FRONT, LARGE_SENSOR, SENSORS, SOURCE};
@@ -121,6 +124,9 @@ fn results(settings: &Settings, observer: &Observer) -> Vec<(String, Option<Metr
             first_peak(samples, 0).map(|p| plain(p).compared_with(SENSORS[0].peak, SOURCE)),
         ),
     ];
+    let impact = impact_mean(samples, 0).zip(measured_impact(&SENSORS[0]));
+    let impact = impact.map(|(found, measured)| plain(found).compared_with(measured, SOURCE));
+    results.push(("impact_mean_sensor1".to_owned(), impact));
     for (k, sensor) in SENSORS.iter().enumerate() {
         let inside = band_fraction(samples, k, sensor.points);
         results.push((

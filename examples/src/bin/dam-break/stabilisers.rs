@@ -22,7 +22,7 @@ const VARIANTS: &[Variant] = &[
     ("corrected sums", |o| o.corrected = true),
     ("corrected sums, shifting, k = 1", |o| (o.corrected, o.shifting) = (true, 1)),
     ("suction kept", |o| o.keep_tension = true),
-    ("walls with friction", |o| o.walls = crate::setup::Walls::Law),
+    ("walls without friction", |o| o.walls = crate::setup::Walls::Free),
     ("alpha 0", |o| o.alpha = 0.0),
     ("alpha 0.1", |o| o.alpha = 0.1),
     ("smooth weight, radius 3", |o| o.radius = Some(3.0)),
