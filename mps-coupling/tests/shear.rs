@@ -1,4 +1,4 @@
-//! Shear on a structure follows its sub-steps: it damps vibrations, and its reaction is exact.
+//! Shear on a structure without slip follows its sub-steps: it damps vibrations, and its reaction is exact, as is that of a law of the wall.
 //!
 //! Held over the step of the fluid, the drag on a mode that turns by more than a quarter in a step comes when the motion has turned
 //! back, and drives it: flags without slip shook themselves apart within seconds.

@@ -39,8 +39,7 @@ pub(crate) fn first_peak(samples: &[Sample], sensor: usize) -> Option<f64> {
 pub(crate) fn impact_mean(samples: &[Sample], sensor: usize) -> Option<f64> {
     let from = arrival(samples, sensor)?;
     reached(samples, from + IMPACT)?;
-    let impact = between(samples, [from, from + IMPACT]);
-    Some(impact.iter().map(|s| s.pressure[sensor]).sum::<f64>() / impact.len() as f64)
+    Some(mean(between(samples, [from, from + IMPACT]), |s| s.pressure[sensor]))
 }
 
 /// The same of the median of the experiments.
@@ -66,8 +65,7 @@ pub(crate) fn band_fraction(samples: &[Sample], sensor: usize, band: &[Band]) ->
 pub(crate) fn large_sensor_mean(samples: &[Sample]) -> Option<f64> {
     const SPAN: [f64; 2] = [3.5, 4.5];
     reached(samples, SPAN[1])?;
-    let span = between(samples, SPAN);
-    Some(span.iter().map(|s| s.large).sum::<f64>() / span.len() as f64)
+    Some(mean(between(samples, SPAN), |s| s.large))
 }
 
 /// Root mean square of what is faster than [`NOISE_WINDOW`] in the pressure between the impacts, over
@@ -79,8 +77,7 @@ pub(crate) fn pressure_noise(samples: &[Sample]) -> Option<f64> {
             let calm = between(samples, CALM);
             let squares = calm.iter().map(|s| {
                 let around = between(samples, [s.time - 0.5 * NOISE_WINDOW, s.time + 0.5 * NOISE_WINDOW]);
-                let mean = around.iter().map(|a| a.pressure[sensor]).sum::<f64>() / around.len() as f64;
-                (s.pressure[sensor] - mean).powi(2)
+                (s.pressure[sensor] - mean(around, |a| a.pressure[sensor])).powi(2)
             });
             (squares.sum::<f64>() / calm.len() as f64).sqrt()
         })
@@ -151,6 +148,11 @@ fn between(samples: &[Sample], [from, to]: [f64; 2]) -> &[Sample] {
     let first = samples.partition_point(|s| s.time < from);
     let last = samples.partition_point(|s| s.time <= to);
     &samples[first..last]
+}
+
+/// Mean over the samples.
+fn mean(samples: &[Sample], value: impl Fn(&Sample) -> f64) -> f64 {
+    samples.iter().map(value).sum::<f64>() / samples.len() as f64
 }
 
 /// `y` where `x` first comes to `at`.
