@@ -17,25 +17,25 @@ const HYDROSTATIC: u8 = 2;
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
     /// `Dn/Dt = n (-div u + Dm)` (eqs. 18-20, 23) with the velocities of the end of the step.
-    pub(crate) fn sweep_density(&mut self, parallel: &Parallel, dt: T) {
+    pub(crate) fn sweep_density(&mut self, parallel: &Parallel) {
         let corrected = !self.rates.pressure_correction.is_empty();
         match (self.config.diffusion, corrected) {
-            (Diffusion::None, false) => self.sweep_density_with::<NONE, false>(parallel, dt),
-            (Diffusion::None, true) => self.sweep_density_with::<NONE, true>(parallel, dt),
-            (Diffusion::Filter { .. }, false) => self.sweep_density_with::<FILTER, false>(parallel, dt),
-            (Diffusion::Filter { .. }, true) => self.sweep_density_with::<FILTER, true>(parallel, dt),
-            (Diffusion::Hydrostatic, false) => self.sweep_density_with::<HYDROSTATIC, false>(parallel, dt),
-            (Diffusion::Hydrostatic, true) => self.sweep_density_with::<HYDROSTATIC, true>(parallel, dt),
+            (Diffusion::None, false) => self.sweep_density_with::<NONE, false>(parallel),
+            (Diffusion::None, true) => self.sweep_density_with::<NONE, true>(parallel),
+            (Diffusion::Filter { .. }, false) => self.sweep_density_with::<FILTER, false>(parallel),
+            (Diffusion::Filter { .. }, true) => self.sweep_density_with::<FILTER, true>(parallel),
+            (Diffusion::Hydrostatic, false) => self.sweep_density_with::<HYDROSTATIC, false>(parallel),
+            (Diffusion::Hydrostatic, true) => self.sweep_density_with::<HYDROSTATIC, true>(parallel),
         }
     }
 
-    /// What the sum of the diffusion is multiplied with \[m^2/s\]: `Dm = delta dt c^2/n0 <laplace n>` with the filter
-    /// (eqs. 19, 20), and `dt c^2/n0 <laplace n>`, as `p = c^2 rho0 (n/n0 - 1)`, with the other.
-    pub(crate) fn diffusivity(&self, dt: T) -> T {
-        let c = self.config.sound_speed;
+    /// What the sum of the diffusion is multiplied with \[m^2/s\]: `Dm = delta l0 c/n0 <laplace n>` with the filter (eqs. 19, 20), and
+    /// `l0 c/n0 <laplace n>` with the other. The papers have `dt c^2` in the place of `l0 c`, which is the same at a Courant number of 1
+    /// and leaves nothing of the diffusion in short steps; this is that of Antuono et al. 2010, of the same strength in any step.
+    pub(crate) fn diffusivity(&self) -> T {
         let two = T::of(2.0) * self.reference.gradient_factor::<D>();
-        dt * c
-            * c
+        self.config.spacing
+            * self.config.sound_speed
             * match self.config.diffusion {
                 Diffusion::None => T::zero(),
                 Diffusion::Filter { delta } => delta * two,
@@ -48,7 +48,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         self.config.gravity / (self.config.sound_speed * self.config.sound_speed)
     }
 
-    fn sweep_density_with<const DIFFUSION: u8, const CORRECTED: bool>(&mut self, parallel: &Parallel, dt: T) {
+    fn sweep_density_with<const DIFFUSION: u8, const CORRECTED: bool>(&mut self, parallel: &Parallel) {
         let mut rate = core::mem::take(&mut self.rates.density_rate);
         let factor = self.reference.gradient_factor::<D>();
         let sweep = Continuity::<_, D, _, _, DIFFUSION, CORRECTED> {
@@ -60,7 +60,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             boundary: &self.boundary,
             wall: self.wall_pair(),
             factor,
-            diffusion: self.diffusivity(dt),
+            diffusion: self.diffusivity(),
             slope: self.hydrostatic_slope(),
         };
         parallel.sweep(rate.as_mut_slice(), &sweep);

@@ -194,7 +194,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             flow.velocity = *u;
         });
         self.book_step(parallel, dt);
-        self.sweep_density(parallel, dt);
+        self.sweep_density(parallel);
         self.hold_densities(parallel, dt);
         let FluidParticles { position, velocity, density, .. } = &mut self.particles;
         let (velocity, rate) = (&*velocity, &self.rates.density_rate);

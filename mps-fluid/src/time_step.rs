@@ -73,8 +73,9 @@ const SAFETY: f64 = 0.98;
 /// The largest Courant number `c dt/l0` with which no wave of the lattice grows, with density diffusion and without.
 ///
 /// A wave of velocity and density goes through `u' = u - i C kappa n`, `n' = n (1 - b) - i C kappa u'` in a step, with
-/// `b = C^2 delta sigma`. Both eigenvalues stay in the unit circle while `C^2 kappa^2 + 2 b < 4`, hence `C^2 (kappa^2/2 + delta sigma) < 2` for
-/// the stiffest wave: that of the diffusion alternates along every axis and has no slope `kappa` at all.
+/// `b = C delta sigma`. Both eigenvalues stay in the unit circle while `C^2 kappa^2 + 2 b < 4`, hence
+/// `C < 4/(b' + sqrt(b'^2 + 4 kappa^2))` with `b' = delta sigma`. The stiffest wave of the diffusion alternates along every axis and has no slope
+/// `kappa` at all.
 pub(crate) fn stable_courant_number<T: Real, const D: usize, K: Kernel<T>>(
     diffusion: Diffusion<T>,
     kernel: &K,
@@ -87,9 +88,9 @@ pub(crate) fn stable_courant_number<T: Real, const D: usize, K: Kernel<T>>(
             Diffusion::Filter { delta } => delta.to_double() * wave.filter,
             Diffusion::Hydrostatic => wave.laplacian,
         };
-        most.max(0.5 * wave.slope + damping)
+        most.max(damping + (damping * damping + 4.0 * wave.slope).sqrt())
     });
-    T::of((2.0 / stiffness).sqrt())
+    T::of(4.0 / stiffness)
 }
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {

@@ -133,7 +133,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             state: &self.rates.state,
             flow: &self.rates.flow,
             field: &books.field,
-            diffusivity: self.diffusivity(dt),
+            diffusivity: self.diffusivity(),
             slope: self.hydrostatic_slope(),
             half: dt * T::of(0.5),
         };

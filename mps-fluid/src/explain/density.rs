@@ -83,7 +83,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             fluid: fluid * factor,
             walls: walls * factor,
             structures: structures * factor,
-            diffusion: own.density * self.diffusivity(dt) * filtered,
+            diffusion: own.density * self.diffusivity() * filtered,
             outlet: zero,
         };
         let held = self.open.as_ref().and_then(|open| open.held(&self.particles.position[i]));

@@ -1,8 +1,9 @@
-//! Pairwise collisions keep momentum and never create kinetic energy, whatever the cloud.
+//! Pairwise collisions keep momentum and never create kinetic energy, whatever the cloud, and what they exchange in a time does not
+//! depend on the number of steps in it.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
 use crate::common::Noise;
-use mps_fluid::{Boundary, Dpc, Fluid, FluidConfig, FluidParticles};
+use mps_fluid::{Boundary, Diffusion, Dpc, Fluid, FluidConfig, FluidParticles};
 use mps_kernel::Vector;
 use mps_kernel::weights::Rational;
 use mps_neighbors::{Open, Parallel};
@@ -28,14 +29,19 @@ fn cloud<const D: usize>(len: usize, width: f64, clustered: bool, seed: u64) -> 
     particles
 }
 
-/// Kinetic energy and momentum (both per mass) before and after the collisions of one step.
+const SOUND: f64 = 10.0;
+
+/// Kinetic energy and momentum (both per mass) before and after the collisions of one step, and the share `c dt/l0` of it.
 fn collide<const D: usize>(
     particles: FluidParticles<f64, D>,
     dpc: Dpc<f64>,
-) -> ([f64; 2], [Vector<f64, D>; 2], Fluid<f64, D>) {
-    let config = FluidConfig { collisions: Some(dpc), ..FluidConfig::water(L0, 10.0) };
+    cfl: f64,
+) -> ([f64; 2], [Vector<f64, D>; 2], Fluid<f64, D>, f64) {
+    let config = FluidConfig { collisions: Some(dpc), cfl, ..FluidConfig::water(L0, SOUND) };
     let boundary = Boundary::default();
     let mut fluid = Fluid::new(config, Rational, |_| (), Open, particles, boundary).unwrap();
+    // Collisions are those of the time that has passed: none before the first step.
+    let dt = fluid.step(&Parallel::serial()).unwrap();
     let sums = |fluid: &Fluid<f64, D>| {
         let u = &fluid.particles().velocity;
         let kinetic: f64 = u.iter().map(|u| 0.5 * u.norm_squared()).sum();
@@ -45,7 +51,7 @@ fn collide<const D: usize>(
     // At the beginning of a step velocities are changed by collisions alone.
     fluid.begin_step(&Parallel::serial()).unwrap();
     let after = sums(&fluid);
-    ([before.0, after.0], [before.1, after.1], fluid)
+    ([before.0, after.0], [before.1, after.1], fluid, SOUND * dt / L0)
 }
 
 proptest! {
@@ -58,21 +64,22 @@ proptest! {
         width in 0.3_f64..8.0,
         clustered: bool,
         restitution in 0.0_f64..=1.0,
+        cfl in 0.05_f64..2.0,
         seed: u64,
     ) {
         // The background pressure does work; here it is off.
         let dpc = Dpc { restitution, repulsion: 0.0, ceiling: 0.02 };
-        let (energy, momentum, _) = collide(cloud::<2>(len, width, clustered, seed), dpc);
+        let (energy, momentum, ..) = collide(cloud::<2>(len, width, clustered, seed), dpc, cfl);
         prop_assert!(energy[1] <= energy[0] * (1.0 + 1e-14), "{} to {}", energy[0], energy[1]);
         prop_assert!((momentum[1] - momentum[0]).norm() < 1e-13 * len as f64);
-        let (energy, momentum, _) = collide(cloud::<3>(len, width, clustered, seed), dpc);
+        let (energy, momentum, ..) = collide(cloud::<3>(len, width, clustered, seed), dpc, cfl);
         prop_assert!(energy[1] <= energy[0] * (1.0 + 1e-14), "3D: {} to {}", energy[0], energy[1]);
         prop_assert!((momentum[1] - momentum[0]).norm() < 1e-13 * len as f64);
     }
 
     #[test]
     fn no_cloud_becomes_infinite(len in 2_usize..60, width in 0.0_f64..3.0, seed: u64) {
-        let (_, _, mut fluid) = collide(cloud::<2>(len, width, true, seed), Dpc::default());
+        let (_, _, mut fluid, _) = collide(cloud::<2>(len, width, true, seed), Dpc::default(), 0.5);
         for _ in 0..5 {
             // Squeezed into a point, a cloud may be refused with an error, but never go on with NaN.
             if fluid.step(&Parallel::serial()).is_err() {
@@ -83,29 +90,71 @@ proptest! {
     }
 }
 
-fn pair(distance: f64, speed: f64, dpc: Dpc<f64>) -> f64 {
-    let mut particles = FluidParticles::at_rest(vec![Vector::zeros(), Vector::<f64, 2>::new(distance, 0.0)]);
+/// Two particles that meet with `speed` each, `distance` apart after a first step: the speed of the first of them after the collisions of the
+/// second, and the share of the exchange that is due in a step.
+fn pair(distance: f64, speed: f64, dpc: Dpc<f64>, cfl: f64) -> [f64; 2] {
+    let dt = cfl * L0 / (speed.abs() + SOUND);
+    let start = distance + 2.0 * speed * dt;
+    let mut particles = FluidParticles::at_rest(vec![Vector::zeros(), Vector::<f64, 2>::new(start, 0.0)]);
     particles.velocity[0].x = speed;
     particles.velocity[1].x = -speed;
-    let (_, _, fluid) = collide(particles, dpc);
+    let (_, _, fluid, share) = collide(particles, dpc, cfl);
     let first = usize::from(fluid.particles().id[0] != 0);
-    fluid.particles().velocity[first].x
+    [fluid.particles().velocity[first].x, share]
+}
+
+const fn dpc(restitution: f64) -> Dpc<f64> {
+    Dpc { restitution, repulsion: 0.0, ceiling: 0.02 }
 }
 
 #[test]
-fn an_overlapping_pair_sticks_or_bounces_as_told() {
-    let dpc = |restitution| Dpc { restitution, repulsion: 0.0, ceiling: 0.02 };
-    for (restitution, expected) in [(0.0, 0.0), (0.5, -0.5), (1.0, -1.0)] {
-        let after = pair(0.3 * L0, 1.0, dpc(restitution));
-        assert!((after - expected).abs() < 1e-14, "restitution {restitution}: {after}");
+fn an_overlapping_pair_sticks_or_bounces_as_told_in_the_time_of_sound() {
+    for restitution in [0.0, 0.5, 1.0] {
+        for cfl in [0.1, 0.5, 1.0] {
+            let [after, share] = pair(0.3 * L0, 1.0, dpc(restitution), cfl);
+            let expected = 1.0 - (1.0 + restitution) * share;
+            assert!((after - expected).abs() < 1e-13, "restitution {restitution}, {cfl}: {after}, not {expected}");
+        }
+        // No more than the whole in a step that is longer.
+        let [after, share] = pair(0.3 * L0, 1.0, dpc(restitution), 1.6);
+        assert!(share > 1.4 && (after + restitution).abs() < 1e-13, "restitution {restitution}: {after}");
     }
 }
 
 #[test]
 fn pairs_that_part_or_stand_a_spacing_apart_do_not_collide() {
-    let dpc = Dpc { restitution: 1.0, repulsion: 0.0, ceiling: 0.02 };
-    assert_eq!(pair(0.3 * L0, -1.0, dpc), -1.0);
-    assert_eq!(pair(1.001 * L0, 1.0, dpc), 1.0);
+    assert_eq!(pair(0.3 * L0, -1.0, dpc(1.0), 0.5)[0], -1.0);
+    assert_eq!(pair(1.001 * L0, 1.0, dpc(1.0), 0.5)[0], 1.0);
     // Continuous at the edge of the range.
-    assert!(pair(0.9999 * L0, 1.0, dpc) > 0.97);
+    assert!(pair(0.9999 * L0, 1.0, dpc(1.0), 0.5)[0] > 0.97);
+}
+
+/// Kinetic energy over that at the start of a cloud that has moved for as long as sound needs for a spacing, in steps of the Courant number `cfl`.
+fn left_over(cfl: f64) -> f64 {
+    let config = FluidConfig {
+        collisions: Some(dpc(0.0)),
+        cfl,
+        diffusion: Diffusion::None,
+        ..FluidConfig::water(L0, SOUND)
+    };
+    let mut particles = cloud::<2>(120, 4.0, false, 5);
+    // So slow that pressures do nothing in that time.
+    particles.velocity.iter_mut().for_each(|u| *u *= 1e-6);
+    let mut fluid = Fluid::new(config, Rational, |_| (), Open, particles, Boundary::default()).unwrap();
+    let kinetic = |fluid: &Fluid<f64, 2>| fluid.particles().velocity.iter().map(|u| u.norm_squared()).sum::<f64>();
+    let start = kinetic(&fluid);
+    while fluid.time() < 0.999 * L0 / SOUND {
+        fluid.step(&Parallel::serial()).unwrap();
+    }
+    fluid.begin_step(&Parallel::serial()).unwrap();
+    kinetic(&fluid) / start
+}
+
+#[test]
+fn what_is_exchanged_in_a_time_has_a_limit_for_short_steps() {
+    let left = [0.1, 0.05, 0.025, 0.0125].map(left_over);
+    // Something has happened, and each halving changes it by half as much.
+    assert!(left[3] < 0.8, "{left:?}");
+    let change = |k: usize| (left[k + 1] - left[k]).abs();
+    assert!(change(0) < 0.05 && change(2) < 0.35 * change(0), "{left:?}");
 }

@@ -35,7 +35,7 @@ pub(crate) struct Options {
     #[arg(long, value_name = "RATIO", default_value_t = 10.0)]
     pub(crate) sound_ratio: f64,
     /// Courant number
-    #[arg(long, value_name = "C", default_value_t = 0.5)]
+    #[arg(long, value_name = "C", default_value_t = 1.0)]
     pub(crate) cfl: f64,
     /// Strength of the density diffusion; 0 switches it off
     #[arg(long, value_name = "DELTA", default_value_t = 0.5)]
@@ -78,7 +78,7 @@ pub(crate) struct Options {
 /// What the presets stand for; their errors are in `docs/trade.md`; those of the cheap ones are held by `examples/tests/presets.rs`.
 pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
     match preset {
-        Preset::Fast => &[("spacing", "0.03"), ("cfl", "1"), ("sound-ratio", "5")],
+        Preset::Fast => &[("spacing", "0.03"), ("sound-ratio", "5")],
         Preset::Balanced => &[
             ("spacing", "0.02"),
             ("radius", "3"),
@@ -86,7 +86,7 @@ pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
             ("sound-ratio", "5"),
             ("precision", "f32"),
         ],
-        Preset::Accurate => &[("spacing", "0.01"), ("cfl", "1"), ("sound-ratio", "5")],
+        Preset::Accurate => &[("spacing", "0.01"), ("sound-ratio", "5")],
     }
 }
 

@@ -147,7 +147,7 @@ pub(crate) fn borders() -> Vec<Border> {
             predicted: Some(|| Ok(border(&waves::<2, _>(&Rational, 3.0, SIDE)?, usual))),
             remedy: CAPPED,
             mechanism: "the diffusion of the density, delta 0.5, takes more than twice the difference between neighbours in a step: \
-                        c dt/l0 < sqrt(2/(delta sigma)) for the wave that alternates along both axes",
+                        c dt/l0 < 2/(delta sigma) for the wave that alternates along both axes",
             ..base
         },
         Border {
@@ -163,7 +163,7 @@ pub(crate) fn borders() -> Vec<Border> {
             parameter: "delta of the density diffusion",
             scene: |x| sound::<2, _>(Rational, 3.0, Plain, diffused(x)),
             predicted: Some(|| Ok(border(&waves::<2, _>(&Rational, 3.0, SIDE)?, diffused))),
-            mechanism: "at the Courant number 1 the default of 0.5 is next to the border; it goes with 1/cfl^2",
+            mechanism: "at the Courant number 1 the default of 0.5 is next to the border; it goes with 1/cfl",
             remedy: CAPPED,
             ..base
         },

@@ -5,7 +5,7 @@
 //! ```text
 //! u' = u - i C |kappa| n,   n' = n (1 - b) - i C |kappa| u',
 //! kappa = (D/n0) sum r W/r^2 sin k.r        gradient and divergence
-//! b = delta C^2 sigma                       density diffusion (eqs. 19, 20),
+//! b = delta C sigma                         density diffusion (eqs. 19, 20),
 //! sigma = (2D/n0) sum W/r^2 (1 - cos k.r) - |kappa|^2
 //! ```
 //!
@@ -30,7 +30,7 @@ pub(crate) struct Step {
 
 fn is_stable(wave: &WaveSymbols, step: Step) -> bool {
     let a = step.courant.powi(2) * wave.slope;
-    let b = step.delta * step.courant.powi(2) * wave.filter;
+    let b = step.delta * step.courant * wave.filter;
     a + 2.0 * b < 4.0 && (1.0 - b).abs() <= 1.0
 }
 
