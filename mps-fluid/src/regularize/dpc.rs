@@ -11,6 +11,9 @@
 //! `e = 0`, the default, it sticks, which dissipates less for the weak overlaps of a regular flow
 //! and never overshoots.
 //!
+//! **The push is off by default**: it acts on pairs that part, hence always does work, as much at fine spacings as the exchange takes. Without it a dam break
+//! has less noise and loses less energy (`docs/dam-break.md`).
+//!
 //! **The printed exchange is that of a time in which sound passes a spacing**: a step exchanges the share `c dt/l0` of it. Exchanged in
 //! every step, as printed, a flow computed with half the step has twice the collisions: more noise, more energy lost, and no limit for
 //! short steps (`docs/dam-break.md`).
@@ -33,7 +36,8 @@ use mps_neighbors::{Domain, Parallel};
 pub struct Dpc<T> {
     /// Coefficient of restitution `e` \[-\]: 0 sticks, 1 bounces. Default 0.
     pub restitution: T,
-    /// `lambda`: background pressure over the pressure of the pair \[-\]. Default 0.1.
+    /// `lambda`: background pressure over the pressure of the pair \[-\]. Default 0: pairs that part are not pushed. The push acts on them alone,
+    /// so that it gives energy whenever it does anything; 0.1 is usual in print.
     pub repulsion: T,
     /// Largest background pressure over `lambda rho0 c^2` \[-\]. Default 0.02, twice the stagnation
     /// pressure at Mach 0.1.
@@ -42,7 +46,7 @@ pub struct Dpc<T> {
 
 impl<T: Real> Default for Dpc<T> {
     fn default() -> Self {
-        Self { restitution: T::zero(), repulsion: T::of(0.1), ceiling: T::of(0.02) }
+        Self { restitution: T::zero(), repulsion: T::zero(), ceiling: T::of(0.02) }
     }
 }
 
