@@ -31,8 +31,8 @@ fn a_coarse_gate_opens_as_far_as_published() {
         let error = value / published - 1.0;
         assert!(error.abs() <= share, "{name} is {value:e} m, {:+.1} % from published", error * 100.0);
     }
-    // The rise is 7e-6 at this spacing and 0 at finer ones (`docs/elastic-gate.md`).
-    keeps_its_books(&summary, 1e-5);
+    // The rise is 4e-5 at this spacing and below 1e-6 at finer ones (`docs/elastic-gate.md`).
+    keeps_its_books(&summary, 6e-5);
 }
 
 /// With four sub-steps in a step of the water the force on the gate once lagged behind its motion, and fed

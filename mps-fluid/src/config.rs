@@ -23,7 +23,7 @@ pub enum Diffusion<T> {
     /// The filter of fourth order of eqs. 19 and 20, which leaves linear and quadratic fields alone.
     Filter {
         /// Coefficient `delta` of `delta c l0` (Antuono et al. 2010; eq. 19 has `delta c^2 dt`, which is this at a Courant number of 1 and
-        /// vanishes with the step). The larger, the shorter a step may be; 0.5 leaves Courant numbers up to 0.7 to 1.8, by weight and radius.
+        /// vanishes with the step). The larger, the shorter a step may be; 0.5 leaves Courant numbers up to 0.6 to 2.3, by weight and radius.
         delta: T,
     },
     /// `l0/(rho0 c)` times the Laplacian of the pressure less its hydrostatic part (Amaro et al. 2022, eq. 20, whose `dt` is `l0/c` here): without

@@ -160,7 +160,7 @@ fn alarms_stop_a_run_and_come_again() {
     let rise = "[watch]\nenergy_rise = 0.1\n";
     let slow = "[watch]\nmach = 0.05\non_mach = \"stop\"\n";
     for (name, scene, words) in [
-        ("collapsed", water("collapsed", &unstable("0.9"), ""), "of the mean of the last ones"),
+        ("collapsed", water("collapsed", &unstable("1.1"), ""), "of the mean of the last ones"),
         (
             "energy",
             water("energy", &unstable("1.2"), rise),

@@ -16,7 +16,7 @@ pub(crate) fn assert_in_order(dir: &Path) {
 
 #[test]
 fn a_run_passes_with_shorter_steps_what_stops_it_otherwise() {
-    let scene = water("passed", &unstable("0.9"), "");
+    let scene = water("passed", &unstable("1.0"), "");
     broken("not-passed", &scene, &[]);
     let dir = fresh("post-mortem", "passed");
     let run = ["run", scene.to_str().unwrap(), "--on-failure", "retry", "--quiet", "--threads", "1"];
@@ -53,7 +53,7 @@ fn a_retry_halves_the_steps_that_were_taken() {
 #[test]
 fn a_run_that_goes_on_within_shorter_steps_has_the_same_bits() {
     let retry = "[watch]\non_failure = { retry = { steps = 1000000, times = 3 } }\n";
-    let scene = water("slow", &unstable("0.9"), retry);
+    let scene = water("slow", &unstable("1.1"), retry);
     let run = |name: &str, more: &[&str]| {
         let dir = fresh("post-mortem", name);
         let arguments = ["run", scene.to_str().unwrap(), "--no-fields", "--quiet", "--threads", "1"];

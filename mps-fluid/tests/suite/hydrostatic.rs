@@ -9,8 +9,8 @@ use mps_neighbors::Parallel;
 /// second its rows give way and half a percent of the potential energy becomes motion. The particles
 /// then do not freeze but go on creeping past each other. So what is asked for is that this motion
 /// dies away, that nothing but the creeping is left (root mean square below 1.5 % of `sqrt(g H)`, that is
-/// 2e-4 of the potential energy) and that total energy falls on the way. It does so up to 2e-5: the
-/// hydrostatic difference shown by the walls does some work that no energy accounts for.
+/// 2e-4 of the potential energy) and that total energy falls on the way. It does so up to 5e-5: the
+/// hydrostatic difference shown by the walls does some work that no energy accounts for (2e-5 while collisions and diffusion were acts of each step).
 #[test]
 fn a_tank_settles_and_keeps_its_pressure_and_its_level() {
     let parallel = Parallel::all_cores().unwrap();
@@ -43,6 +43,6 @@ fn a_tank_settles_and_keeps_its_pressure_and_its_level() {
         assert!(late_error < 0.06, "pressure error {late_error}");
         assert!((end - 1.0).abs() < 0.01, "potential energy {end}");
         assert!((top / depth - 1.0).abs() < 0.04, "level {}", top / depth);
-        assert!(rise < 5e-5 * start.total(), "total energy rises by {rise:e} J of {} J", start.total());
+        assert!(rise < 8e-5 * start.total(), "total energy rises by {rise:e} J of {} J", start.total());
     }
 }

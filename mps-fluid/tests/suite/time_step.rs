@@ -60,9 +60,9 @@ fn growth<const D: usize, K: Kernel<f64>>(mut fluid: Periodic<D, K>, times: f64)
 fn assert_capped<const D: usize, K: Kernel<f64>>(kernel: K, radius: f64, diffusion: Diffusion<f64>) {
     let fluid = || noise::<D, K>(kernel, radius, diffusion, 2.0);
     let case = format!("{D}D {} {radius} {diffusion:?}, {}", kernel.name(), fluid().stable_courant_number());
-    let (fine, broken) = (growth(fluid(), 1.0), growth(fluid(), 1.04));
+    let (fine, broken) = (growth(fluid(), 1.0), growth(fluid(), 1.06));
     assert!(fine < 10.0, "{case}: grows by {fine:e} in the steps of the fluid");
-    assert!(broken > 1e3, "{case}: grows by {broken:e} only, 2 % beyond the border");
+    assert!(broken > 1e3, "{case}: grows by {broken:e} only, 4 % beyond the border");
 }
 
 #[test]
@@ -80,7 +80,7 @@ fn and_in_space() {
     assert_capped::<3, _>(WendlandGradient, 3.0, Diffusion::Hydrostatic);
 }
 
-/// What the paper's weight bears, and what that leaves of the Courant numbers 0.5 and 1.
+/// What the paper's weight bears: the Courant number 1, by a hair.
 #[test]
 fn the_usual_courant_number_is_left_alone() {
     let parallel = Parallel::serial();
@@ -92,6 +92,8 @@ fn the_usual_courant_number_is_left_alone() {
     let (half, limit, border) = courant(0.5);
     assert!((half - 0.5).abs() < 1e-6 && limit == Limit::Sound, "{half} by {limit:?}");
     assert!((border - 2.0 / (0.5 * 3.915_744_386_22_f64)).abs() < 1e-9, "{border}");
-    let (capped, limit, _) = courant(1.0);
+    let (one, limit, _) = courant(1.0);
+    assert!((one - 1.0).abs() < 1e-6 && limit == Limit::Sound, "{one} by {limit:?}");
+    let (capped, limit, _) = courant(1.1);
     assert!((capped - 0.98 * border).abs() < 1e-9 && limit == Limit::Diffusion, "{capped} by {limit:?}");
 }

@@ -3,11 +3,11 @@
 use crate::run::{FIELD, PROBE};
 use mps_examples::basin::{FINE, RADIUS_RATIO};
 use mps_examples::submerged::{
-    BEYOND, CLEARANCE, GRAVITY, LENGTH, POISSON, Settings, THICKNESS, WATER, YOUNG,
+    BEYOND, CLEARANCE, DIFFUSION, GRAVITY, LENGTH, POISSON, Settings, THICKNESS, WATER, YOUNG,
 };
 use mps_io::scene_file::{
-    Body, Clamp, DisplacementProbe, Elasticity, Fluid, ForceProbe, InitialPressure, Material, Measure,
-    Numerics, Output, Probe, Region, SceneFile, Side, Slip, Solid, Viscosity, Wall,
+    Body, Clamp, Diffusion, DisplacementProbe, Elasticity, Fluid, ForceProbe, InitialPressure, Material,
+    Measure, Numerics, Output, Probe, Region, SceneFile, Side, Slip, Solid, Viscosity, Wall,
 };
 
 /// The scene of these settings, which ends at `end_time` \[s\].
@@ -45,6 +45,7 @@ fn water(settings: &Settings) -> Fluid {
         numerics: Numerics {
             radius: settings.radius,
             cfl: settings.cfl,
+            diffusion: Diffusion::Filter(DIFFUSION),
             collisions: false,
             ..Numerics::default()
         },
