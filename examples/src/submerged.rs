@@ -29,8 +29,8 @@ pub const GRAVITY: f64 = 1.0;
 pub const CLEARANCE: f64 = 0.1;
 /// Water beyond its free end \[m\].
 pub const BEYOND: f64 = 0.15;
-/// Strength of the density diffusion, half of that of other water: the pressure at the beam is ten times its load, and where the beam is two
-/// layers of water thick the diffusion bends what it feels of it (`docs/submerged-beam.md`).
+/// Strength of the density diffusion \[-\], half of that of other water: with 0.5 a beam two layers of water thick comes to rest 3 % further from
+/// where it should (`docs/submerged-beam.md`).
 pub const DIFFUSION: f64 = 0.25;
 /// Deflection of the end at a difference of the densities of [`DIFFERENCE`], linear elasticity \[m\].
 pub const LINEAR: f64 = 0.016_852_05;

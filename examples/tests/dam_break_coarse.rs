@@ -17,7 +17,7 @@ fn a_coarse_dam_break_arrives_on_time_and_keeps_its_books() {
     assert!(inside > 0.7, "the lowest sensor is inside the band of the experiments for {inside} of the time");
     // The tip is one particle thick here, and its impact too short: the mean is 62 % too low (34 % at half the spacing, docs/dam-break.md).
     let impact = summary.metrics["impact_mean_sensor1"].error.unwrap();
-    assert!((-0.75..0.2).contains(&impact), "the first impact is off by {:+.0} %", impact * 100.0);
+    assert!((-0.7..0.2).contains(&impact), "the first impact is off by {:+.0} %", impact * 100.0);
     // The largest value is that of the particle that comes first: between the quantiles of the experiments here, not at finer spacings.
     let peak = value("peak_sensor1");
     assert!((2.09..3.70).contains(&peak), "the first impact reaches {peak} rho g H");

@@ -11,12 +11,11 @@
 //! `e = 0`, the default, it sticks, which dissipates less for the weak overlaps of a regular flow
 //! and never overshoots.
 //!
-//! **The push is off by default**: it acts on pairs that part, hence always does work, as much at fine spacings as the exchange takes. Without it a dam break
-//! has less noise and loses less energy (`docs/dam-break.md`).
-//!
-//! **The printed exchange is that of a time in which sound passes a spacing**: a step exchanges the share `c dt/l0` of it. Exchanged in
-//! every step, as printed, a flow computed with half the step has twice the collisions: more noise, more energy lost, and no limit for
+//! **The printed exchange is that of a time in which sound passes a spacing**: a step does the share `min(1, c dt/l0)` of it, with the length of
+//! the step before. Exchanged in every step, as printed, a flow computed with half the step has twice the collisions, and no limit for
 //! short steps (`docs/dam-break.md`).
+//!
+//! **The push is off by default**: it acts on pairs that part and no others, so that all it can do is give energy (`docs/dam-break.md`).
 //!
 //! All pairs act at once. Where several neighbours push the same particle the sum of their
 //! coefficients is limited to one (`s_ij = min(s_i, s_j)`, `s_i = 1/max(1, sum_j k_ij a_ij)`),
@@ -145,6 +144,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let p = &self.fluid.particles.pressure;
         let stiffness = config.density * config.sound_speed * config.sound_speed;
         let per_pressure = self.fluid.last_dt / config.density;
+        // The share of the exchange that is due in a step.
         let passed = (config.sound_speed * self.fluid.last_dt / config.spacing).min(T::one());
         let mut change = Vector::zeros();
         let mut load = T::zero();

@@ -69,8 +69,7 @@ proptest! {
         cfl in 0.05_f64..2.0,
         seed: u64,
     ) {
-        // The background pressure does work; here it is off.
-        let dpc = Dpc { restitution, repulsion: 0.0, ceiling: 0.02 };
+        let dpc = dpc(restitution);
         let (energy, momentum, ..) = collide(cloud::<2>(len, width, clustered, seed), dpc, cfl);
         prop_assert!(energy[1] <= energy[0] * (1.0 + 1e-14), "{} to {}", energy[0], energy[1]);
         prop_assert!((momentum[1] - momentum[0]).norm() < 1e-13 * len as f64);
@@ -105,6 +104,7 @@ fn pair(distance: f64, speed: f64, dpc: Dpc<f64>, cfl: f64) -> [f64; 2] {
     [fluid.particles().velocity[first].x, share]
 }
 
+/// Without the background pressure, which does work.
 const fn dpc(restitution: f64) -> Dpc<f64> {
     Dpc { restitution, repulsion: 0.0, ceiling: 0.02 }
 }

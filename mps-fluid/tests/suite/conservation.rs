@@ -40,7 +40,7 @@ fn keeps_linear_momentum<V: Viscosity<f64, D>, const D: usize>(mut fluid: Blob<V
 
 #[test]
 fn linear_momentum_is_kept_through_diffusion_viscosity_and_collisions() {
-    let bouncing = Some(Dpc { restitution: 1.0, ..Dpc::default() });
+    let bouncing = Some(Dpc { restitution: 1.0, repulsion: 0.2, ..Dpc::default() });
     for tension in [Tension::Clip, Tension::Keep] {
         for collisions in [None, Some(Dpc::default()), bouncing] {
             let config = FluidConfig { tension, collisions, ..config::<2>() };
