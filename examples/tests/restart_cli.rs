@@ -12,6 +12,9 @@ use std::time::Duration;
 
 const MPS: &str = env!("CARGO_BIN_EXE_mps");
 
+/// An interval of checkpoints, in seconds of wall time, that has always passed.
+const ALWAYS: &str = "1e-9";
+
 /// A scene of the gallery, shortened to `end` seconds, as a file.
 fn scene(name: &str, changes: &[(&str, &str)], end: &str) -> PathBuf {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name);
@@ -74,11 +77,17 @@ fn resumed(dir: &Path, more: &[&str]) {
     assert!(output.status.success(), "{}", words(&output.stderr));
 }
 
-/// Waits until there is a file, or the program has ended.
-fn wait_for(path: &Path, child: &mut Child) {
-    while !path.exists() && child.try_wait().unwrap().is_none() {
+/// Waits until something has come about, or the program has ended.
+fn wait_until(come_about: impl Fn() -> bool, child: &mut Child) {
+    while !come_about() && child.try_wait().unwrap().is_none() {
         std::thread::sleep(Duration::from_millis(2));
     }
+}
+
+/// Whether a run has begun to write the third of its frames.
+fn in_its_middle(dir: &Path) -> bool {
+    let mut names = std::fs::read_dir(dir.join("fields")).into_iter().flatten();
+    names.any(|entry| entry.unwrap().file_name().to_str().unwrap().ends_with("_00002.vtu"))
 }
 
 fn signal(child: &Child, name: &str) {
@@ -116,8 +125,9 @@ fn a_run_that_was_stopped_by_a_signal_goes_on_with_the_same_bits() {
     for (k, (name, scene)) in scenes.iter().enumerate() {
         let one = whole(name, scene);
         let dir = fresh("restart", &format!("{name}-stopped"));
-        let mut child = begin(scene, &dir, "0.05");
-        wait_for(&last(&dir), &mut child);
+        // A checkpoint before every step makes the run slow, so that it is in its middle when the signal comes.
+        let mut child = begin(scene, &dir, ALWAYS);
+        wait_until(|| in_its_middle(&dir), &mut child);
         signal(&child, if k == 0 { "-INT" } else { "-TERM" });
         let output = child.wait_with_output().unwrap();
         let said = words(&output.stderr);
@@ -157,7 +167,6 @@ fn kept_time(dir: &Path) -> Option<f64> {
 /// With an interval that has always passed there is a checkpoint before every step, each before anything is written of its state: none of
 /// what has been written may be beyond it, and most kills hit a program that is writing one.
 fn killed(name: &str, end: &str, kills: usize, longest: u64) -> usize {
-    const ALWAYS: &str = "1e-9";
     let scene = reservoirs(end);
     let one = whole(&format!("{name}-whole"), &scene);
     let dir = fresh("restart", name);
@@ -264,8 +273,8 @@ fn the_one_before_is_used_where_the_last_is_damaged() {
     let scene = reservoirs("0.02");
     let one = whole("before-whole", &scene);
     let dir = fresh("restart", "before");
-    let mut child = begin(&scene, &dir, "0.05");
-    wait_for(&dir.join("checkpoint").join("before.mps"), &mut child);
+    let mut child = begin(&scene, &dir, ALWAYS);
+    wait_until(|| dir.join("checkpoint").join("before.mps").exists(), &mut child);
     signal(&child, "-TERM");
     child.wait().unwrap();
     let bytes = std::fs::read(last(&dir)).unwrap();
