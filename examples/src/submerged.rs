@@ -63,6 +63,8 @@ pub struct Settings {
     pub cfl: f64,
     /// Effective radius over spacing.
     pub radius: f64,
+    /// Strength of the density diffusion \[-\]; zero for none.
+    pub diffusion: f64,
     /// Kinematic viscosity of the water \[m^2/s\].
     pub viscosity: f64,
     /// Damping of the beam's velocity \[1/s\] (`SolidConfig::damping`): nothing at rest, so it changes the way there and not the answer.
@@ -77,9 +79,9 @@ pub const DAMPING: f64 = 40.0;
 impl Settings {
     /// The usual numerics for a beam of `across` particles and `density` \[kg/m^3\] in water of the given spacing \[m\].
     pub fn usual(across: usize, spacing: f64, density: f64) -> Self {
-        let (sound_ratio, cfl) = (10.0, 0.5);
+        let (sound_ratio, cfl, diffusion) = (10.0, 0.5, DIFFUSION);
         let (radius, viscosity, damping) = (Self::widest(spacing), VISCOSITY, DAMPING);
-        Self { spacing, across, density, sound_ratio, cfl, radius, viscosity, damping }
+        Self { spacing, across, density, sound_ratio, cfl, radius, diffusion, viscosity, damping }
     }
 
     /// The widest radius over `spacing` \[m\] of the usual ones that a plate as thick as the beam keeps apart: one more than its layers
@@ -172,7 +174,10 @@ fn water<T: Real>(
     let mut config = basin::water(l0, settings.sound_speed());
     config.radius_ratio = T::of(settings.radius);
     config.cfl = T::of(settings.cfl);
-    config.diffusion = Diffusion::Filter { delta: T::of(DIFFUSION) };
+    config.diffusion = match settings.diffusion {
+        delta if delta > 0.0 => Diffusion::Filter { delta: T::of(delta) },
+        _ => Diffusion::None,
+    };
     config.gravity = Vector::from([0.0, -GRAVITY].map(T::of));
     let counts = [LENGTH + BEYOND, Settings::depth()].map(|edge| (edge / l0).round() as usize);
     let in_beam = |r: &Vector<T, 2>| {

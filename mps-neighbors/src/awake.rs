@@ -39,7 +39,7 @@ impl Awake {
     }
 
     /// Runs a loop on `pool` with all its threads awake.
-    pub(crate) fn drive<R: Send>(&self, pool: &ThreadPool, work: impl FnOnce() -> R + Send) -> R {
+    pub(crate) fn drive(&self, pool: &ThreadPool, work: Part) {
         pool.install(|| {
             let Some(own) = pool.current_thread_index().and_then(|me| self.states.get(me)) else {
                 return work();
@@ -98,22 +98,36 @@ thread_local! {
     static PARTS: Cell<u32> = const { Cell::new(0) };
 }
 
+/// A part of a loop. Of one type for all loops: what hands it from thread to thread is compiled once, and not for every loop anew, which was a
+/// third of the code of a program.
+pub(crate) type Part<'a> = &'a mut (dyn FnMut() + Send);
+
+/// `work` on `value`, as a part that is run once.
+pub(crate) fn once<A: Send>(value: A, work: impl Fn(A) + Send) -> impl FnMut() + Send {
+    let mut value = Some(value);
+    move || {
+        if let Some(value) = value.take() {
+            work(value);
+        }
+    }
+}
+
 /// [`rayon::join`] of two parts of a loop.
-pub(crate) fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
-    rayon::join(|| part(a), || part(b))
+pub(crate) fn join(a: Part, b: Part) {
+    rayon::join(|| part(a), || part(b));
 }
 
 /// Runs a part of a loop, during which the thread declines to be called.
-fn part<R>(work: impl FnOnce() -> R) -> R {
-    struct Part;
-    impl Drop for Part {
+fn part(work: Part) {
+    struct Counted;
+    impl Drop for Counted {
         fn drop(&mut self) {
             PARTS.set(PARTS.get() - 1);
         }
     }
     PARTS.set(PARTS.get() + 1);
-    let _part = Part;
-    work()
+    let _counted = Counted;
+    work();
 }
 
 /// Looks for work until there has been none for a while.
@@ -162,19 +176,24 @@ mod tests {
         let (pool, awake) = pool();
         let somebody = || awake.states.iter().any(|state| state.load(SeqCst) == AWAKE);
         // Called in every loop: on a busy machine one may have gone before it is looked for.
-        assert!(wait_for(|| awake.drive(&pool, somebody)), "nobody has come");
+        let come = || {
+            let mut come = false;
+            awake.drive(&pool, &mut || come = somebody());
+            come
+        };
+        assert!(wait_for(come), "nobody has come");
         assert!(wait_for(|| awake.asleep() == THREADS), "somebody stays for ever");
         // And once more.
-        assert!(wait_for(|| awake.drive(&pool, somebody)), "nobody has come again");
+        assert!(wait_for(come), "nobody has come again");
     }
 
     /// Called within a part of a loop, a thread declines, and may be called again.
     #[test]
     fn who_is_in_a_part_of_a_loop_does_not_stay() {
         let state = AtomicU8::new(CALLED);
-        part(|| stay(&state));
+        part(&mut || stay(&state));
         assert_eq!((state.load(SeqCst), PARTS.get()), (ASLEEP, 0));
-        assert!(std::panic::catch_unwind(|| part(|| assert!(!true_for_sure()))).is_err());
+        assert!(std::panic::catch_unwind(|| part(&mut || assert!(!true_for_sure()))).is_err());
         assert_eq!(PARTS.get(), 0, "a part that panics has ended as well");
     }
 
@@ -185,7 +204,7 @@ mod tests {
     #[test]
     fn a_loop_that_panics_leaves_its_thread_as_it_was() {
         let (pool, awake) = pool();
-        let driven = std::panic::AssertUnwindSafe(|| awake.drive(&pool, || assert!(!true_for_sure())));
+        let driven = std::panic::AssertUnwindSafe(|| awake.drive(&pool, &mut || assert!(!true_for_sure())));
         assert!(std::panic::catch_unwind(driven).is_err());
         assert!(wait_for(|| awake.asleep() == THREADS));
     }

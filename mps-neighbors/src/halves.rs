@@ -3,7 +3,7 @@
 //! The tree, and with it the order of every sum, is a function of the number of particles alone, whatever
 //! the pool. Halves differ by one particle at most: a thread that waits for the other half falls asleep.
 
-use crate::awake::join;
+use crate::awake::{join, once};
 use crate::fields::Fields;
 
 /// Most particles that a leaf of the recursion handles in sequence.
@@ -46,7 +46,9 @@ pub(crate) fn halve_leaves<F: Fields>(
     }
     let cut = fields.len() / 2;
     let (left, right) = fields.cut(cut);
-    join(|| halve_leaves(block, left, first, leaf), || halve_leaves(block, right, first + cut, leaf));
+    let mut left = once(left, |left| halve_leaves(block, left, first, leaf));
+    let mut right = once(right, |right| halve_leaves(block, right, first + cut, leaf));
+    join(&mut left, &mut right);
 }
 
 /// Folds `value(i)` over `first..first + len`, with the pool the caller runs in if `threads`.
@@ -62,9 +64,15 @@ pub(crate) fn fold_halves<A: Copy + Send + Sync>(
         return (first..first + len).fold(start, |sum, i| combine(sum, value(i)));
     }
     let cut = len / 2;
-    let left = || fold_halves(first, cut, start, value, combine, threads);
-    let right = || fold_halves(first + cut, len - cut, start, value, combine, threads);
-    let (a, b) = if threads { join(left, right) } else { (left(), right()) };
+    let (mut a, mut b) = (start, start);
+    let mut left = || a = fold_halves(first, cut, start, value, combine, threads);
+    let mut right = || b = fold_halves(first + cut, len - cut, start, value, combine, threads);
+    if threads {
+        join(&mut left, &mut right);
+    } else {
+        left();
+        right();
+    }
     combine(a, b)
 }
 

@@ -3,7 +3,7 @@
 //! Each loop writes only to its own particle ("gather"), so there is no lock and no scatter; sums are
 //! added in the order of a tree that is the same for any pool.
 
-use crate::awake::Awake;
+use crate::awake::{Awake, Part, once};
 use crate::fields::Fields;
 use crate::halves::{BLOCK, FEW, fold_halves, halve, halve_leaves, halve_to};
 use fearless_simd::{Level, Simd};
@@ -39,8 +39,8 @@ struct Pool {
 
 impl Pool {
     /// Runs a loop that is to be shared.
-    fn drive<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
-        self.awake.drive(&self.threads, work)
+    fn drive(&self, work: Part) {
+        self.awake.drive(&self.threads, work);
     }
 }
 
@@ -122,7 +122,9 @@ impl Parallel {
     /// of slices of equal length, `item` the references to entry `i` of each.
     pub fn update<F: Fields>(&self, fields: F, each: impl Fn(usize, F::Item) + Sync) {
         match &self.pool {
-            Some(pool) if fields.len() > FEW => pool.drive(|| halve(fields, 0, &each)),
+            Some(pool) if fields.len() > FEW => {
+                pool.drive(&mut once(fields, |fields| halve(fields, 0, &each)))
+            }
             _ => fields.for_each(0, &each),
         }
     }
@@ -133,7 +135,9 @@ impl Parallel {
         let level = self.level;
         let leaf = |fields: F, first: usize| run_at(level, fields, first, sweep);
         match &self.pool {
-            Some(pool) if fields.len() > FEW => pool.drive(|| halve_leaves(BLOCK, fields, 0, &leaf)),
+            Some(pool) if fields.len() > FEW => {
+                pool.drive(&mut once(fields, |fields| halve_leaves(BLOCK, fields, 0, &leaf)));
+            }
             _ => leaf(fields, 0),
         }
     }
@@ -150,7 +154,7 @@ impl Parallel {
     pub(crate) fn blocks<B: Send>(&self, blocks: &mut [B], work: impl Fn(usize, &mut B) + Sync) {
         match &self.pool {
             Some(pool) if blocks.len() > 1 => {
-                pool.drive(|| halve_to(1, blocks, 0, &|i, b: &mut B| work(i, b)))
+                pool.drive(&mut || halve_to(1, &mut *blocks, 0, &|i, b: &mut B| work(i, b)));
             }
             _ => blocks.for_each(0, &work),
         }
@@ -191,7 +195,11 @@ impl Parallel {
         combine: &(impl Fn(A, A) -> A + Sync),
     ) -> A {
         match &self.pool {
-            Some(pool) if len > FEW => pool.drive(|| fold_halves(0, len, start, value, combine, true)),
+            Some(pool) if len > FEW => {
+                let mut folded = start;
+                pool.drive(&mut || folded = fold_halves(0, len, start, value, combine, true));
+                folded
+            }
             _ => fold_halves(0, len, start, value, combine, false),
         }
     }

@@ -3,7 +3,7 @@
 use crate::run::{FIELD, PROBE};
 use mps_examples::basin::{FINE, RADIUS_RATIO};
 use mps_examples::submerged::{
-    BEYOND, CLEARANCE, DIFFUSION, GRAVITY, LENGTH, POISSON, Settings, THICKNESS, WATER, YOUNG,
+    BEYOND, CLEARANCE, GRAVITY, LENGTH, POISSON, Settings, THICKNESS, WATER, YOUNG,
 };
 use mps_io::scene_file::{
     Body, Clamp, Diffusion, DisplacementProbe, Elasticity, Fluid, ForceProbe, InitialPressure, Material,
@@ -45,7 +45,10 @@ fn water(settings: &Settings) -> Fluid {
         numerics: Numerics {
             radius: settings.radius,
             cfl: settings.cfl,
-            diffusion: Diffusion::Filter(DIFFUSION),
+            diffusion: match settings.diffusion {
+                delta if delta > 0.0 => Diffusion::Filter(delta),
+                _ => Diffusion::None,
+            },
             collisions: false,
             ..Numerics::default()
         },

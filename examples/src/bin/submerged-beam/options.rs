@@ -1,7 +1,7 @@
 //! The command line of the program, and the settings it stands for.
 
 use clap::Parser;
-use mps_examples::submerged::{DAMPING, Settings, THICKNESS, VISCOSITY};
+use mps_examples::submerged::{DAMPING, DIFFUSION, Settings, THICKNESS, VISCOSITY};
 use mps_examples::{Common, Refused};
 
 /// A clamped beam in water at rest, bent by its buoyancy.
@@ -27,6 +27,9 @@ pub(crate) struct Options {
     /// Effective radius over spacing; if left out 4, or 3 where the beam is too thin for it
     #[arg(long, value_name = "RATIO")]
     radius: Option<f64>,
+    /// Strength of the density diffusion; 0 switches it off
+    #[arg(long, value_name = "D", default_value_t = DIFFUSION)]
+    diffusion: f64,
     /// Kinematic viscosity of the water (m2/s)
     #[arg(long, value_name = "NU", default_value_t = VISCOSITY)]
     viscosity: f64,
@@ -78,13 +81,14 @@ impl Options {
         let radius = self.radius.unwrap_or(widest);
         let thick = "give a radius of 3 to 4 spacings, and at most the thickness of the beam and one spacing";
         within("--radius", radius, 3.0, widest, thick)?;
+        within("--diffusion", self.diffusion, 0.0, 2.0, "give a strength between 0 and 2, e.g. 0.25")?;
         within("--viscosity", self.viscosity, 0.0, 1.0, "give the kinematic viscosity in m2/s, e.g. 1e-4")?;
         within("--damping", self.damping, 0.0, 1e4, "give the damping in 1/s, e.g. 40, or 0 for none")?;
         let usual = "the numerical sound must be faster than the water; usual is 10";
         within("--sound-ratio", self.sound_ratio, 1.0, 1e4, usual)?;
         within("--cfl", self.cfl, 1e-3, 2.0, "give a Courant number of at most 2, e.g. 0.5")?;
         self.common.check()?;
-        let Self { density, viscosity, damping, sound_ratio, cfl, .. } = *self;
-        Ok(Settings { spacing, across, density, sound_ratio, cfl, radius, viscosity, damping })
+        let Self { density, diffusion, viscosity, damping, sound_ratio, cfl, .. } = *self;
+        Ok(Settings { spacing, across, density, sound_ratio, cfl, radius, diffusion, viscosity, damping })
     }
 }

@@ -48,6 +48,7 @@ pub(crate) fn summary<T: Real>(
     summary.set("sound_speed_m_s", settings.sound_speed());
     summary.set("cfl", settings.cfl);
     summary.set("radius_ratio", settings.radius);
+    summary.set("density_diffusion", settings.diffusion);
     summary.set("viscosity_m2_s", settings.viscosity);
     summary.set("damping_1_s", settings.damping);
     let boundary = scene.fluid().boundary();
