@@ -29,9 +29,6 @@ pub const GRAVITY: f64 = 1.0;
 pub const CLEARANCE: f64 = 0.1;
 /// Water beyond its free end \[m\].
 pub const BEYOND: f64 = 0.15;
-/// Strength of the density diffusion \[-\], half of that of other water: with 0.5 a beam two layers of water thick comes to rest 3 % further from
-/// where it should (`docs/submerged-beam.md`).
-pub const DIFFUSION: f64 = 0.25;
 /// Deflection of the end at a difference of the densities of [`DIFFERENCE`], linear elasticity \[m\].
 pub const LINEAR: f64 = 0.016_852_05;
 /// The same with the nonlinear strain of Saint Venant and Kirchhoff \[m\].
@@ -79,7 +76,7 @@ pub const DAMPING: f64 = 40.0;
 impl Settings {
     /// The usual numerics for a beam of `across` particles and `density` \[kg/m^3\] in water of the given spacing \[m\].
     pub fn usual(across: usize, spacing: f64, density: f64) -> Self {
-        let (sound_ratio, cfl, diffusion) = (10.0, 0.5, DIFFUSION);
+        let (sound_ratio, cfl, diffusion) = (10.0, 0.5, 0.5);
         let (radius, viscosity, damping) = (Self::widest(spacing), VISCOSITY, DAMPING);
         Self { spacing, across, density, sound_ratio, cfl, radius, diffusion, viscosity, damping }
     }

@@ -1,7 +1,7 @@
 //! The command line of the program, and the settings it stands for.
 
 use clap::Parser;
-use mps_examples::submerged::{DAMPING, DIFFUSION, Settings, THICKNESS, VISCOSITY};
+use mps_examples::submerged::{DAMPING, Settings, THICKNESS, VISCOSITY};
 use mps_examples::{Common, Refused};
 
 /// A clamped beam in water at rest, bent by its buoyancy.
@@ -28,7 +28,7 @@ pub(crate) struct Options {
     #[arg(long, value_name = "RATIO")]
     radius: Option<f64>,
     /// Strength of the density diffusion; 0 switches it off
-    #[arg(long, value_name = "D", default_value_t = DIFFUSION)]
+    #[arg(long, value_name = "D", default_value_t = 0.5)]
     diffusion: f64,
     /// Kinematic viscosity of the water (m2/s)
     #[arg(long, value_name = "NU", default_value_t = VISCOSITY)]
@@ -81,7 +81,7 @@ impl Options {
         let radius = self.radius.unwrap_or(widest);
         let thick = "give a radius of 3 to 4 spacings, and at most the thickness of the beam and one spacing";
         within("--radius", radius, 3.0, widest, thick)?;
-        within("--diffusion", self.diffusion, 0.0, 2.0, "give a strength between 0 and 2, e.g. 0.25")?;
+        within("--diffusion", self.diffusion, 0.0, 2.0, "give a strength between 0 and 2, e.g. 0.5")?;
         within("--viscosity", self.viscosity, 0.0, 1.0, "give the kinematic viscosity in m2/s, e.g. 1e-4")?;
         within("--damping", self.damping, 0.0, 1e4, "give the damping in 1/s, e.g. 40, or 0 for none")?;
         let usual = "the numerical sound must be faster than the water; usual is 10";

@@ -19,7 +19,7 @@ impl Case for Submerged {
 
     fn about(&self) -> &'static str {
         "A beam 0.35 m x 0.02 m of 500 kg/m3 (E = 1.4 MPa, nu = 0.4), clamped on the plane of its left end 0.1 m below the surface of water \
-         under g = 1 m/s2, let go straight. Means of the last fifth of 15 s (quick: 8 s). The water has half as many particles as the beam \
+         under g = 1 m/s2, let go straight. Means of the last fifth of 15 s (quick: 12 s). The water has half as many particles as the beam \
          across its thickness, but at least two; nu = 1e-4 m2/s; the beam's velocity is damped by 40 1/s on its way to rest."
     }
 
@@ -36,7 +36,7 @@ impl Case for Submerged {
         let settings = Settings::usual(n, spacing, 500.0);
         let mut scene = submerged::build::<f64>(&settings, parallel)?;
         let end = submerged::end(submerged::rubber(&scene).ok_or("the scene has no beam")?)?;
-        let until = pace.choose(8.0, 15.0);
+        let until = pace.choose(12.0, 15.0);
         let (mut time, mut moved) = (Vec::new(), Vec::new());
         let mut impulse = 0.0;
         while scene.fluid().time() < until {
