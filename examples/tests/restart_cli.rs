@@ -84,8 +84,8 @@ fn wait_until(come_about: impl Fn() -> bool, child: &mut Child) {
     }
 }
 
-/// Whether a run has begun to write the third of its frames.
-fn in_its_middle(dir: &Path) -> bool {
+/// Whether a run has begun to write the third of its fields.
+fn on_its_way(dir: &Path) -> bool {
     let mut names = std::fs::read_dir(dir.join("fields")).into_iter().flatten();
     names.any(|entry| entry.unwrap().file_name().to_str().unwrap().ends_with("_00002.vtu"))
 }
@@ -125,14 +125,18 @@ fn a_run_that_was_stopped_by_a_signal_goes_on_with_the_same_bits() {
     for (k, (name, scene)) in scenes.iter().enumerate() {
         let one = whole(name, scene);
         let dir = fresh("restart", &format!("{name}-stopped"));
-        // A checkpoint before every step makes the run slow, so that it is in its middle when the signal comes.
+        // A checkpoint before every step makes the run slow, so that it is still on its way when the signal comes.
         let mut child = begin(scene, &dir, ALWAYS);
-        wait_until(|| in_its_middle(&dir), &mut child);
+        wait_until(|| on_its_way(&dir), &mut child);
         signal(&child, if k == 0 { "-INT" } else { "-TERM" });
         let output = child.wait_with_output().unwrap();
         let said = words(&output.stderr);
         assert!(!output.status.success() && said.contains("stopped by a signal"), "{name}: {said}");
         assert!(said.contains(&format!("go on with `mps resume {}`", dir.display())), "{said}");
+        // The stop has kept its own state, not that of the step before.
+        if let Some(kept) = kept_time(&dir) {
+            assert!(said.contains(&format!("t = {kept:e} s")), "{name}: {kept:e} s were kept: {said}");
+        }
         // What has been computed until then is there.
         assert!(dir.join("summary.json").exists() && dir.join("energies.png").exists(), "{name}");
         resumed(&dir, &["--threads", "3"]);
@@ -274,7 +278,7 @@ fn the_one_before_is_used_where_the_last_is_damaged() {
     let one = whole("before-whole", &scene);
     let dir = fresh("restart", "before");
     let mut child = begin(&scene, &dir, ALWAYS);
-    wait_until(|| dir.join("checkpoint").join("before.mps").exists(), &mut child);
+    wait_until(|| on_its_way(&dir), &mut child);
     signal(&child, "-TERM");
     child.wait().unwrap();
     let bytes = std::fs::read(last(&dir)).unwrap();

@@ -19,6 +19,7 @@ fn what_cannot_be_run_is_refused_with_the_flag_and_a_remedy() {
         ("--spacing", "1e-6", "metres"),
         ("--end-time", "0", "seconds"),
         ("--radius", "5", "thickness of the beam"),
+        ("--diffusion", "3", "between 0 and 2"),
         ("--viscosity", "-1", "m2/s"),
         ("--damping", "-1", "0 for none"),
         ("--sound-ratio", "0.5", "usual is 10"),

@@ -5,7 +5,7 @@ mod common;
 
 use common::completed;
 
-/// Four particles across, in water of half that: alone, the same solid is 1.7 % too stiff. Water as coarse as this adds 2 and 8 %, that of half the spacing
+/// Four particles across, in water of half that: alone, the same solid is 1.7 % too stiff. Water as coarse as this takes another 1 and 7 % (to 12 s), that of half the spacing
 /// less than 1 % (`docs/submerged-beam.md`); the bounds keep it from getting worse.
 #[test]
 #[ignore = "takes a minute"]

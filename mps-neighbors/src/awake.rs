@@ -99,7 +99,7 @@ thread_local! {
 }
 
 /// A part of a loop. Of one type for all loops: what hands it from thread to thread is compiled once, and not for every loop anew, which was a
-/// third of the code of a program.
+/// quarter of the code of a program.
 pub(crate) type Part<'a> = &'a mut (dyn FnMut() + Send);
 
 /// `work` on `value`, as a part that is run once.
