@@ -70,13 +70,15 @@ pub struct Settings {
 
 /// Kinematic viscosity of the water unless another is chosen \[m^2/s\]. Ten times as much and the last tenth of the way takes half a minute.
 pub const VISCOSITY: f64 = 1e-4;
+/// Strength of the density diffusion unless another is chosen \[-\], that of all water.
+pub const DIFFUSION: f64 = 0.5;
 /// Damping of the beam unless another is chosen \[1/s\].
 pub const DAMPING: f64 = 40.0;
 
 impl Settings {
     /// The usual numerics for a beam of `across` particles and `density` \[kg/m^3\] in water of the given spacing \[m\].
     pub fn usual(across: usize, spacing: f64, density: f64) -> Self {
-        let (sound_ratio, cfl, diffusion) = (10.0, 0.5, 0.5);
+        let (sound_ratio, cfl, diffusion) = (10.0, 0.5, DIFFUSION);
         let (radius, viscosity, damping) = (Self::widest(spacing), VISCOSITY, DAMPING);
         Self { spacing, across, density, sound_ratio, cfl, radius, diffusion, viscosity, damping }
     }
@@ -171,10 +173,7 @@ fn water<T: Real>(
     let mut config = basin::water(l0, settings.sound_speed());
     config.radius_ratio = T::of(settings.radius);
     config.cfl = T::of(settings.cfl);
-    config.diffusion = match settings.diffusion {
-        delta if delta > 0.0 => Diffusion::Filter { delta: T::of(delta) },
-        _ => Diffusion::None,
-    };
+    config.diffusion = Diffusion::filter(settings.diffusion);
     config.gravity = Vector::from([0.0, -GRAVITY].map(T::of));
     let counts = [LENGTH + BEYOND, Settings::depth()].map(|edge| (edge / l0).round() as usize);
     let in_beam = |r: &Vector<T, 2>| {

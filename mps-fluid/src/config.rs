@@ -32,6 +32,11 @@ pub enum Diffusion<T> {
 }
 
 impl<T: Real> Diffusion<T> {
+    /// The filter of the strength `delta` \[-\], or none if that is zero.
+    pub fn filter(delta: f64) -> Self {
+        if delta > 0.0 { Self::Filter { delta: T::of(delta) } } else { Self::None }
+    }
+
     /// Coefficient `delta` of the filter \[-\], 0 for the others.
     pub fn delta(&self) -> T {
         match *self {

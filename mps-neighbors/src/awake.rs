@@ -5,10 +5,10 @@
 //! other threads once, and each of them looks for work until it has found none for [`PATIENCE`].
 //!
 //! A thread may be called while it waits for the other half of a part of a loop it has taken over. It must not look for work then, or whoever waits for
-//! its part would wait as long as anybody else has work: hence [`join`], which keeps count.
+//! its part would wait as long as anybody else has work: hence [`parts`], which keeps count.
 
+use crate::parts::{self, Part};
 use rayon::{ThreadPool, Yield};
-use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering::SeqCst};
 use std::time::{Duration, Instant};
@@ -93,46 +93,9 @@ impl Drop for Driving<'_> {
     }
 }
 
-thread_local! {
-    /// How many parts of loops this thread is in.
-    static PARTS: Cell<u32> = const { Cell::new(0) };
-}
-
-/// A part of a loop. Of one type for all loops: what hands it from thread to thread is compiled once, and not for every loop anew, which was a
-/// quarter of the code of a program.
-pub(crate) type Part<'a> = &'a mut (dyn FnMut() + Send);
-
-/// `work` on `value`, as a part that is run once.
-pub(crate) fn once<A: Send>(value: A, work: impl Fn(A) + Send) -> impl FnMut() + Send {
-    let mut value = Some(value);
-    move || {
-        if let Some(value) = value.take() {
-            work(value);
-        }
-    }
-}
-
-/// [`rayon::join`] of two parts of a loop.
-pub(crate) fn join(a: Part, b: Part) {
-    rayon::join(|| part(a), || part(b));
-}
-
-/// Runs a part of a loop, during which the thread declines to be called.
-fn part(work: Part) {
-    struct Counted;
-    impl Drop for Counted {
-        fn drop(&mut self) {
-            PARTS.set(PARTS.get() - 1);
-        }
-    }
-    PARTS.set(PARTS.get() + 1);
-    let _counted = Counted;
-    work();
-}
-
 /// Looks for work until there has been none for a while.
 fn stay(own: &AtomicU8) {
-    let answer = if PARTS.get() > 0 { ASLEEP } else { AWAKE };
+    let answer = if parts::within() { ASLEEP } else { AWAKE };
     if own.compare_exchange(CALLED, answer, SeqCst, SeqCst).is_err() || answer == ASLEEP {
         return;
     }
@@ -191,10 +154,8 @@ mod tests {
     #[test]
     fn who_is_in_a_part_of_a_loop_does_not_stay() {
         let state = AtomicU8::new(CALLED);
-        part(&mut || stay(&state));
-        assert_eq!((state.load(SeqCst), PARTS.get()), (ASLEEP, 0));
-        assert!(std::panic::catch_unwind(|| part(&mut || assert!(!true_for_sure()))).is_err());
-        assert_eq!(PARTS.get(), 0, "a part that panics has ended as well");
+        parts::run(&mut || stay(&state));
+        assert_eq!(state.load(SeqCst), ASLEEP);
     }
 
     fn true_for_sure() -> bool {

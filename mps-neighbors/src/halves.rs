@@ -3,8 +3,8 @@
 //! The tree, and with it the order of every sum, is a function of the number of particles alone, whatever
 //! the pool. Halves differ by one particle at most: a thread that waits for the other half falls asleep.
 
-use crate::awake::{join, once};
 use crate::fields::Fields;
+use crate::parts::{join, once};
 
 /// Most particles that a leaf of the recursion handles in sequence.
 pub(crate) const BLOCK: usize = 512;

@@ -16,6 +16,7 @@ pub mod fit;
 mod frozen;
 mod halves;
 mod parallel;
+mod parts;
 
 pub use fields::Fields;
 pub use frozen::{FrozenError, FrozenPair, FrozenPairs};

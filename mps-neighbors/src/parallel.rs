@@ -3,9 +3,10 @@
 //! Each loop writes only to its own particle ("gather"), so there is no lock and no scatter; sums are
 //! added in the order of a tree that is the same for any pool.
 
-use crate::awake::{Awake, Part, once};
+use crate::awake::Awake;
 use crate::fields::Fields;
 use crate::halves::{BLOCK, FEW, fold_halves, halve, halve_leaves, halve_to};
+use crate::parts::{Part, once};
 use fearless_simd::{Level, Simd};
 use mps_kernel::Real;
 use thiserror::Error;

@@ -122,11 +122,7 @@ impl Numerics {
     pub(super) fn apply<T: Real, const D: usize>(&self, config: &mut FluidConfig<T, D>) {
         config.radius_ratio = self.radius.map_or(config.radius_ratio, T::of);
         config.cfl = self.cfl.map_or(config.cfl, T::of);
-        match self.diffusion {
-            Some(delta) if delta > 0.0 => config.diffusion = Diffusion::Filter { delta: T::of(delta) },
-            Some(_) => config.diffusion = Diffusion::None,
-            None => (),
-        }
+        config.diffusion = self.diffusion.map_or(config.diffusion, Diffusion::filter);
         if self.dpc {
             config.collisions = Some(Dpc::default());
         }

@@ -27,8 +27,8 @@ pub(super) fn config<T: Real, const D: usize>(fluid: &Fluid, gravity: &[f64]) ->
         radius_ratio: T::of(numerics.radius),
         gravity: vector(gravity),
         diffusion: match numerics.diffusion {
-            Diffusion::Filter(delta) if delta > 0.0 => physics::Diffusion::Filter { delta: T::of(delta) },
-            Diffusion::None | Diffusion::Filter(_) => physics::Diffusion::None,
+            Diffusion::Filter(delta) => physics::Diffusion::filter(delta),
+            Diffusion::None => physics::Diffusion::None,
             Diffusion::Hydrostatic => physics::Diffusion::Hydrostatic,
         },
         cfl: T::of(numerics.cfl),

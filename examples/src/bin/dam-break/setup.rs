@@ -123,8 +123,7 @@ impl<T: Real, K: Kernel<T>> DamBreak<T, K> {
         config.pressure_form = settings.pressure_form;
         config.diffusion = match settings.diffusion {
             Smoothing::Hydrostatic => Diffusion::Hydrostatic,
-            Smoothing::Filter(delta) if delta > 0.0 => Diffusion::Filter { delta: T::of(delta) },
-            Smoothing::Filter(_) => Diffusion::None,
+            Smoothing::Filter(delta) => Diffusion::filter(delta),
         };
         config.tension = settings.tension;
         config.wall_viscosity = T::of(WALL_VISCOSITY);

@@ -102,10 +102,7 @@ fn water<T: Real, K: Kernel<T>>(
     config.gravity = Vector::from([T::zero(), T::of(-GRAVITY)]);
     config.radius_ratio = T::of(settings.radius);
     config.cfl = T::of(settings.cfl);
-    config.diffusion = match settings.diffusion {
-        delta if delta > 0.0 => Diffusion::Filter { delta: T::of(delta) },
-        _ => Diffusion::None,
-    };
+    config.diffusion = Diffusion::filter(settings.diffusion);
     config.collisions = settings.collisions.then(Dpc::default);
     config.pressure_form = settings.pressure_form;
     config.shifting =

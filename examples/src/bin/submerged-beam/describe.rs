@@ -45,10 +45,7 @@ fn water(settings: &Settings) -> Fluid {
         numerics: Numerics {
             radius: settings.radius,
             cfl: settings.cfl,
-            diffusion: match settings.diffusion {
-                delta if delta > 0.0 => Diffusion::Filter(delta),
-                _ => Diffusion::None,
-            },
+            diffusion: Diffusion::Filter(settings.diffusion),
             collisions: false,
             ..Numerics::default()
         },

@@ -1,7 +1,7 @@
 //! The command line of the program, and the settings it stands for.
 
 use clap::Parser;
-use mps_examples::submerged::{DAMPING, Settings, THICKNESS, VISCOSITY};
+use mps_examples::submerged::{DAMPING, DIFFUSION, Settings, THICKNESS, VISCOSITY};
 use mps_examples::{Common, Refused};
 
 /// A clamped beam in water at rest, bent by its buoyancy.
@@ -28,7 +28,7 @@ pub(crate) struct Options {
     #[arg(long, value_name = "RATIO")]
     radius: Option<f64>,
     /// Strength of the density diffusion; 0 switches it off
-    #[arg(long, value_name = "D", default_value_t = 0.5)]
+    #[arg(long, value_name = "D", default_value_t = DIFFUSION)]
     diffusion: f64,
     /// Kinematic viscosity of the water (m2/s)
     #[arg(long, value_name = "NU", default_value_t = VISCOSITY)]

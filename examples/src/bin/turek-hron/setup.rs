@@ -113,10 +113,7 @@ fn water<T: Real>(
     let level = T::of(settings.level());
     config.background_pressure = level;
     config.pressure_form = PressureForm::Corrected;
-    config.diffusion = match settings.diffusion {
-        delta if delta > 0.0 => Diffusion::Filter { delta: T::of(delta) },
-        _ => Diffusion::None,
-    };
+    config.diffusion = Diffusion::filter(settings.diffusion);
     config.shifting =
         (settings.shifting > 0).then(|| Shifting { iterations: settings.shifting, ..Shifting::default() });
     config.density_relaxation = T::of(settings.relaxation);
