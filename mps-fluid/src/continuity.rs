@@ -141,7 +141,7 @@ where
         let own = flow[i];
         let zero = T::Lanes::splat(simd, T::zero());
         let (mut inflow, mut filtered) = (zero, zero);
-        for pair in self.neighbors.packs(simd, i) {
+        for pair in self.neighbors.packs_of(simd, i, flow) {
             let other = Gather { simd, j: pair.j.as_ref(), from: flow };
             let density = other.scalar(|flow| flow.density);
             // n_i times eq. 23: the n_i cancels.

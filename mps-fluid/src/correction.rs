@@ -90,7 +90,7 @@ where
         let mut moment = tensor([[zero; D]; D]);
         let State { density, share, .. } = self.state[i];
         let inverse_density = T::one() / density;
-        for pair in self.neighbors.packs(simd, i) {
+        for pair in self.neighbors.packs_of(simd, i, self.state) {
             let other = Gather { simd, j: pair.j.as_ref(), from: self.state };
             let ratio = other.scalar(|state| state.density) * inverse_density;
             let weighted = scale(&pair.r_ij, pair.over_r2 * ratio);

@@ -189,9 +189,10 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         self.finish_exchange();
         let Rates { acceleration, flow, .. } = &mut self.rates;
         let acceleration = &*acceleration;
-        parallel.update((self.particles.velocity.as_mut_slice(), flow.as_mut_slice()), |i, (u, flow)| {
+        let FluidParticles { position, velocity, .. } = &mut self.particles;
+        parallel.update((velocity.as_mut_slice(), flow.as_mut_slice()), |i, (u, flow)| {
             *u += acceleration[i] * dt;
-            flow.velocity = *u;
+            (flow.position, flow.velocity) = (position[i], *u);
         });
         self.book_step(parallel, dt);
         self.sweep_density(parallel);
@@ -227,14 +228,14 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
     fn evaluate_pressure(&mut self, parallel: &Parallel) {
         let (eos, clip) = (self.eos, self.config.tension == Tension::Clip);
-        let FluidParticles { pressure, density, velocity, .. } = &mut self.particles;
-        let (density, velocity) = (&*density, &*velocity);
+        let FluidParticles { pressure, density, velocity, position, .. } = &mut self.particles;
         parallel.update((pressure.as_mut_slice(), self.rates.state.as_mut_slice()), |i, (p, state)| {
             *p = eos.pressure(density[i]);
             if clip {
                 *p = p.max(T::zero());
             }
-            *state = State { velocity: velocity[i], density: density[i], share: *p / density[i] };
+            let (position, velocity, density) = (position[i], velocity[i], density[i]);
+            *state = State { position, velocity, density, share: *p / density };
         });
     }
 

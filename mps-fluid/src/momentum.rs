@@ -197,7 +197,7 @@ where
         // The sum of the pressures; in the corrected form the part of it that the particle's own S_i multiplies, and the rest.
         let (mut pressed, mut by_own) = (vector([zero; D]), vector([zero; D]));
         let mut moment = tensor([[zero; D]; D]);
-        for pair in self.neighbors.packs(simd, i) {
+        for pair in self.neighbors.packs_of(simd, i, state) {
             let other = Gather { simd, j: pair.j.as_ref(), from: state };
             let density = other.scalar(|state| state.density);
             let direction = pair.gradient_vector();

@@ -1,6 +1,7 @@
 //! What the sweeps of a step leave behind and read of each other.
 
 use mps_kernel::{Real, Tensor, Vector};
+use mps_neighbors::Placed;
 
 /// What the sweeps of a step leave behind, one entry a particle. Rebuilt in every step, hence
 /// neither permuted nor saved.
@@ -34,6 +35,7 @@ pub(crate) struct Rates<T: Real, const D: usize> {
 /// The fields of one particle side by side, so that a sweep fetches one piece of memory a pair.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct State<T: Real, const D: usize> {
+    pub(crate) position: Vector<T, D>,
     pub(crate) velocity: Vector<T, D>,
     /// `n/n0`.
     pub(crate) density: T,
@@ -44,6 +46,7 @@ pub(crate) struct State<T: Real, const D: usize> {
 /// As [`State`], for the second sweep: the velocity is the new one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Flow<T: Real, const D: usize> {
+    pub(crate) position: Vector<T, D>,
     pub(crate) velocity: Vector<T, D>,
     /// Corrected gradient of `n/n0` \[1/m\] (eq. 21).
     pub(crate) gradient: Vector<T, D>,
@@ -51,11 +54,25 @@ pub(crate) struct Flow<T: Real, const D: usize> {
     pub(crate) density: T,
 }
 
+impl<T: Real, const D: usize> Placed<T, D> for State<T, D> {
+    #[inline(always)]
+    fn place(&self) -> &Vector<T, D> {
+        &self.position
+    }
+}
+
+impl<T: Real, const D: usize> Placed<T, D> for Flow<T, D> {
+    #[inline(always)]
+    fn place(&self) -> &Vector<T, D> {
+        &self.position
+    }
+}
+
 impl<T: Real, const D: usize> Rates<T, D> {
     pub(crate) fn resize(&mut self, len: usize) {
-        self.state.resize(len, State { velocity: Vector::zeros(), density: T::one(), share: T::zero() });
-        self.flow
-            .resize(len, Flow { velocity: Vector::zeros(), gradient: Vector::zeros(), density: T::one() });
+        let (zero, density) = (Vector::zeros(), T::one());
+        self.state.resize(len, State { position: zero, velocity: zero, density, share: T::zero() });
+        self.flow.resize(len, Flow { position: zero, velocity: zero, gradient: zero, density });
         self.acceleration.resize(len, Vector::zeros());
         self.density_rate.resize(len, T::zero());
         // What not every fluid needs is left to those who do; a packing that has been measured stays one a particle.

@@ -102,8 +102,12 @@ macro_rules! lanes {
 
             #[inline(always)]
             fn at_least(self, floor: $real) -> Self {
-                let floor = $vector::splat(self.0.simd, floor);
-                Self(self.0.simd_gt(floor).select(self.0, floor))
+                Self(self.0.max(floor))
+            }
+
+            #[inline(always)]
+            fn at_most(self, ceiling: $real) -> Self {
+                Self(self.0.min(ceiling))
             }
 
             #[inline(always)]

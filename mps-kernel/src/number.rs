@@ -41,11 +41,14 @@ pub trait Number<T>:
     /// Rounded to the nearest whole number, halves to the even one.
     fn nearest(self) -> Self;
 
-    /// The value, or `floor` where it is not above it (NaN included).
+    /// The value, or `floor` where it is not above it.
     ///
-    /// One instruction. `max` has to look for NaN on both sides, which costs the pair loop several
-    /// percent.
+    /// One instruction, hence what becomes of NaN is the processor's: that of x86 makes it `floor`, others leave it. To look for NaN on
+    /// both sides, as `max` of a scalar does, costs the pair loop several percent.
     fn at_least(self, floor: T) -> Self;
+
+    /// The value, or `ceiling` where it is not below it; see [`at_least`](Self::at_least).
+    fn at_most(self, ceiling: T) -> Self;
 
     /// The value where `key < limit`, zero elsewhere.
     fn where_below(self, key: Self, limit: T) -> Self;
@@ -77,6 +80,11 @@ macro_rules! scalar {
             #[inline(always)]
             fn at_least(self, floor: $real) -> Self {
                 if self > floor { self } else { floor }
+            }
+
+            #[inline(always)]
+            fn at_most(self, ceiling: $real) -> Self {
+                if self < ceiling { self } else { ceiling }
             }
 
             #[inline(always)]

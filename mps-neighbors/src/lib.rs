@@ -44,4 +44,4 @@ pub use periodic::PeriodicBox;
 pub use permutation::Permutation;
 pub use rows::Rows;
 pub use skin::Skin;
-pub use view::{Packs, RowView};
+pub use view::{Packs, Placed, RowView};

@@ -48,14 +48,27 @@ where
     }
 }
 
+/// Something that is in a place: a particle, with more of what a sweep reads of it beside.
+pub trait Placed<T: Real, const D: usize> {
+    /// The place \[m\].
+    fn place(&self) -> &Vector<T, D>;
+}
+
+impl<T: Real, const D: usize> Placed<T, D> for Vector<T, D> {
+    #[inline(always)]
+    fn place(&self) -> &Self {
+        self
+    }
+}
+
 /// Several pairs of one particle at a time; see [`RowView::packs`].
 #[derive(Clone, Debug)]
-pub struct Packs<'a, T: Real, const D: usize, K, P, S> {
+pub struct Packs<'a, T: Real, const D: usize, K, P, S, A = Vector<T, D>> {
     simd: S,
     /// The neighbours that are left.
     row: &'a [u32],
     from: Vector<T, D>,
-    targets: &'a [Vector<T, D>],
+    targets: &'a [A],
     kernel: K,
     radius: T,
     domain: P,
@@ -67,11 +80,23 @@ impl<'a, T: Real, const D: usize, K: Kernel<T>, P: Domain<T, D>> RowView<'a, T, 
     /// Lanes that are left over at the end of the row repeat its last neighbour with weight zero.
     #[inline(always)]
     pub fn packs<S: Simd>(&self, simd: S, i: usize) -> Packs<'a, T, D, K, P, S> {
+        self.packs_of(simd, i, self.targets)
+    }
+
+    /// [`packs`](Self::packs) with the places of the neighbours from `targets`, which must be those of the view. A sweep that reads more of
+    /// a neighbour than its place has both in one piece of memory then, and finds it once.
+    #[inline(always)]
+    pub fn packs_of<S: Simd, A: Placed<T, D>>(
+        &self,
+        simd: S,
+        i: usize,
+        targets: &'a [A],
+    ) -> Packs<'a, T, D, K, P, S, A> {
         Packs {
             simd,
             row: self.rows.row(i),
             from: self.points[i],
-            targets: self.targets,
+            targets,
             kernel: self.kernel,
             radius: self.radius,
             domain: self.domain,
@@ -79,8 +104,9 @@ impl<'a, T: Real, const D: usize, K: Kernel<T>, P: Domain<T, D>> RowView<'a, T, 
     }
 }
 
-impl<T, const D: usize, K, P, S> Iterator for Packs<'_, T, D, K, P, S>
+impl<T, const D: usize, K, P, S, A> Iterator for Packs<'_, T, D, K, P, S, A>
 where
+    A: Placed<T, D>,
     T: Real,
     K: Kernel<T>,
     P: Domain<T, D>,
@@ -111,7 +137,7 @@ where
         let (targets, j) = (self.targets, indices.as_ref());
         let from = components(&self.from);
         let d = by_axis!(axis => {
-            T::Lanes::gather(self.simd, |lane| components(&targets[j[lane]])[axis]) - from[axis]
+            T::Lanes::gather(self.simd, |lane| components(targets[j[lane]].place())[axis]) - from[axis]
         });
         let pair = Pair::new(indices, self.domain.nearest(d), &self.kernel, self.radius);
         Some(pair.masked(T::Lanes::first(self.simd, used)))

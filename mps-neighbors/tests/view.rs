@@ -7,7 +7,7 @@ use common::jittered;
 use fearless_simd::{Level, dispatch};
 use mps_kernel::weights::{Rational, WendlandC2};
 use mps_kernel::{F64Lanes, Kernel, Lanes, Neighborhood, Pair, Vector};
-use mps_neighbors::{BruteForce, Cells, Open, Parallel, PeriodicBox, RowView, Rows};
+use mps_neighbors::{BruteForce, Cells, Open, Parallel, PeriodicBox, Placed, RowView, Rows};
 
 fn sums<K: Kernel<f64>>(kernel: K) {
     let (points, radius, skin) = (jittered::<2>(20, 3), 2.1, 0.2);
@@ -36,6 +36,17 @@ fn sums<K: Kernel<f64>>(kernel: K) {
     assert!(in_skin > 0);
 }
 
+struct Beside {
+    place: Vector<f64, 2>,
+    _number: f64,
+}
+
+impl Placed<f64, 2> for Beside {
+    fn place(&self) -> &Vector<f64, 2> {
+        &self.place
+    }
+}
+
 /// The pairs of `i` within the radius, taken out of packs again.
 fn in_packs<K: Kernel<f64>>(
     view: &RowView<'_, f64, 2, K, PeriodicBox<f64, 2>>,
@@ -43,7 +54,11 @@ fn in_packs<K: Kernel<f64>>(
     radius: f64,
 ) -> Vec<Pair<f64, 2>> {
     let mut found = Vec::new();
+    // The same places with something beside them.
+    let beside: Vec<_> = view.targets.iter().map(|place| Beside { place: *place, _number: 1.0 }).collect();
     dispatch!(Level::new(), simd => {
+        assert!(view.packs(simd, i).zip(view.packs_of(simd, i, &beside)).all(|(a, b)| a == b));
+        assert_eq!(view.packs(simd, i).count(), view.packs_of(simd, i, &beside).count());
         for pack in view.packs(simd, i) {
             for (lane, &j) in pack.j.iter().enumerate() {
                 let only = |lanes: F64Lanes<_>| {

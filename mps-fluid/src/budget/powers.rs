@@ -38,7 +38,7 @@ where
         let (own, flow) = (self.state[i], self.flow[i]);
         let zero = T::Lanes::splat(simd, T::zero());
         let (mut drag, mut filtered) = (vector([zero; D]), zero);
-        for pair in self.neighbors.packs(simd, i) {
+        for pair in self.neighbors.packs_of(simd, i, self.state) {
             let other = Gather { simd, j: pair.j.as_ref(), from: self.state };
             fluid.viscosity.add(&mut drag, &pair, &own.velocity, &other.vector(|state| &state.velocity));
             let there = other.of(self.flow);

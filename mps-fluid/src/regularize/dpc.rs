@@ -17,6 +17,8 @@
 //!
 //! **The push is off by default**: it acts on pairs that part and no others, so that all it can do is give energy (`docs/dam-break.md`).
 //!
+//! Pairs closer than `l0/30` count as if that far apart ([`mps_kernel::weights::closest`]).
+//!
 //! All pairs act at once. Where several neighbours push the same particle the sum of their
 //! coefficients is limited to one (`s_ij = min(s_i, s_j)`, `s_i = 1/max(1, sum_j k_ij a_ij)`),
 //! which bounds the spectrum of the exchange matrix by 2: the collision part cannot create kinetic
@@ -26,9 +28,13 @@
 //! over a whole fluid step was measured to feed the vibration of a light structure.
 
 use crate::Fluid;
+use crate::gather::Gather;
 use crate::terms::Viscosity;
-use mps_kernel::{Kernel, Real, Vector};
-use mps_neighbors::{Domain, Parallel};
+use fearless_simd::Simd;
+use mps_kernel::small::{accumulate, components, difference, dot, scale, vector};
+use mps_kernel::weights::Rational;
+use mps_kernel::{Kernel, Lanes, Number, Real, Vector, by_axis};
+use mps_neighbors::{Domain, Parallel, RowView, Sweep};
 
 /// Parameters of the collisions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,51 +55,6 @@ impl<T: Real> Default for Dpc<T> {
     }
 }
 
-/// One pair inside the collision range.
-struct Contact<T: Real, const D: usize> {
-    e_ij: Vector<T, D>,
-    distance: T,
-    /// `k_ij a_ij` if the pair approaches, else 0.
-    share: T,
-    /// `chi_ij` if the pair parts, else 0.
-    parting: T,
-    approach: T,
-}
-
-impl<T: Real> Dpc<T> {
-    /// `None` unless the pair is closer than `l0`.
-    #[inline]
-    fn contact<const D: usize>(
-        &self,
-        l0: T,
-        r_ij: &Vector<T, D>,
-        u_ij: &Vector<T, D>,
-    ) -> Option<Contact<T, D>> {
-        let r2 = r_ij.norm_squared();
-        // Coincident particles have no line to exchange momentum along.
-        if !(r2 < l0 * l0 && r2 > T::zero()) {
-            return None;
-        }
-        let distance = r2.sqrt();
-        let e_ij = r_ij / distance;
-        let approach = u_ij.dot(&e_ij);
-        // chi = sqrt(w(r)/w(l0/2)) with the rational weight of radius l0, for which w(l0/2) = 1.
-        let chi = (l0 / distance.max(l0 * T::of(0.05)) - T::one()).sqrt();
-        let (share, parting) = if approach < T::zero() {
-            let k = if distance < l0 * T::of(0.5) { T::one() } else { chi };
-            (k * (T::one() + self.restitution) * T::of(0.5), T::zero())
-        } else {
-            (T::zero(), chi)
-        };
-        // Pairs that part exchange nothing, not even a NaN one of them may carry.
-        Some(Contact { e_ij, distance, share, parting, approach: approach.min(T::zero()) })
-    }
-
-    fn background_pressure(&self, sum: T, stiffness: T) -> T {
-        (self.repulsion * sum.abs()).min(self.repulsion * self.ceiling * stiffness)
-    }
-}
-
 /// Corrects the velocities of the fluid.
 pub(crate) fn collide<T, const D: usize, K, V, P>(fluid: &mut Fluid<T, D, K, V, P>, parallel: &Parallel)
 where
@@ -103,61 +64,118 @@ where
     P: Domain<T, D>,
 {
     let Some(dpc) = fluid.config.collisions else { return };
-    let mut correction = core::mem::take(&mut fluid.rates.correction);
-    correction.resize(fluid.particles.position.len(), Vector::zeros());
-    let mut scale = core::mem::take(&mut fluid.rates.density_rate);
-    let exchange = Exchange { fluid: &*fluid, dpc };
-    parallel.update((correction.as_mut_slice(), scale.as_mut_slice()), |i, (du, load)| {
-        (*du, *load) = exchange.change(i, None);
-    });
-    let heaviest = parallel.max(scale.len(), T::zero(), |i| scale[i]);
+    let mut change = core::mem::take(&mut fluid.rates.correction);
+    change.resize(fluid.particles.position.len(), Vector::zeros());
+    let mut load = core::mem::take(&mut fluid.rates.density_rate);
+    if dpc.repulsion > T::zero() {
+        exchange(&Exchange::<_, D, _, true>::new(fluid, dpc), parallel, &mut change, &mut load);
+    } else {
+        exchange(&Exchange::<_, D, _, false>::new(fluid, dpc), parallel, &mut change, &mut load);
+    }
+    parallel.update(fluid.particles.velocity.as_mut_slice(), |i, u| *u += change[i]);
+    fluid.rates.correction = change;
+    fluid.rates.density_rate = load;
+}
+
+/// Changes of all velocities \[m/s\]; `load` is overwritten.
+fn exchange<T: Real, const D: usize, P: Domain<T, D>, const PUSHED: bool>(
+    exchange: &Exchange<'_, T, D, P, PUSHED>,
+    parallel: &Parallel,
+    change: &mut [Vector<T, D>],
+    load: &mut [T],
+) {
+    parallel.sweep((&mut *change, &mut *load), exchange);
+    let heaviest = parallel.max(load.len(), T::zero(), |i| load[i]);
     if heaviest > T::one() {
         // Rare: some particle is pushed from several sides at once.
-        parallel.update(scale.as_mut_slice(), |_, load| *load = T::one() / load.max(T::one()));
-        let scale = &scale;
-        parallel.update(correction.as_mut_slice(), |i, du| *du = exchange.change(i, Some(scale)).0);
+        parallel.update(&mut *load, |_, load| *load = T::one() / load.max(T::one()));
+        parallel.sweep(change, &Limited { exchange, limit: load });
     }
-    parallel.update(fluid.particles.velocity.as_mut_slice(), |i, u| *u += correction[i]);
-
-    fluid.rates.correction = correction;
-    fluid.rates.density_rate = scale;
 }
 
-/// The close pairs of the fluid.
-struct Exchange<'a, T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> {
-    fluid: &'a Fluid<T, D, K, V, P>,
-    dpc: Dpc<T>,
+/// The close pairs of the fluid, and what they exchange in a step.
+struct Exchange<'a, T: Real, const D: usize, P, const PUSHED: bool> {
+    /// With the rational weight of radius `l0`, whose root is `chi_ij = sqrt(w(r)/w(l0/2))`, as `w(l0/2) = 1`.
+    close: RowView<'a, T, D, Rational, P>,
+    velocity: &'a [Vector<T, D>],
+    pressure: &'a [T],
+    /// `a_ij` times the share of the exchange that is due in a step.
+    share: T,
+    /// `lambda dt/rho0`.
+    push: T,
+    /// Largest sum of two pressures that the push follows \[Pa\].
+    ceiling: T,
 }
 
-impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Exchange<'_, T, D, K, V, P> {
-    #[inline]
-    fn contact(&self, i: usize, j: usize) -> Option<Contact<T, D>> {
-        let particles = &self.fluid.particles;
-        let r_ij = self.fluid.domain.separation(&particles.position[i], &particles.position[j]);
-        let u_ij = particles.velocity[j] - particles.velocity[i];
-        self.dpc.contact(self.fluid.config.spacing, &r_ij, &u_ij)
-    }
-
-    /// Velocity change of particle `i` \[m/s\] with the limits `scale`, and its load `sum k_ij a_ij c dt/l0`.
-    fn change(&self, i: usize, scale: Option<&[T]>) -> (Vector<T, D>, T) {
-        let config = &self.fluid.config;
-        let p = &self.fluid.particles.pressure;
-        let stiffness = config.density * config.sound_speed * config.sound_speed;
-        let per_pressure = self.fluid.last_dt / config.density;
-        // The share of the exchange that is due in a step.
-        let passed = (config.sound_speed * self.fluid.last_dt / config.spacing).min(T::one());
-        let mut change = Vector::zeros();
-        let mut load = T::zero();
-        for &j in self.fluid.search.close.row(i) {
-            let j = j as usize;
-            let Some(contact) = self.contact(i, j) else { continue };
-            let limit = scale.map_or(T::one(), |s| s[i].min(s[j]));
-            let background = contact.parting * self.dpc.background_pressure(p[i] + p[j], stiffness);
-            let push = per_pressure * background / contact.distance;
-            let share = contact.share * passed;
-            change += contact.e_ij * (share * limit * contact.approach - push);
-            load += share;
+impl<'a, T: Real, const D: usize, P: Domain<T, D>, const PUSHED: bool> Exchange<'a, T, D, P, PUSHED> {
+    fn new<K: Kernel<T>, V: Viscosity<T, D>>(fluid: &'a Fluid<T, D, K, V, P>, dpc: Dpc<T>) -> Self {
+        let (config, particles) = (&fluid.config, &fluid.particles);
+        let RowView { rows, points, targets, domain, .. } = fluid.view(&fluid.search.close);
+        let passed = (config.sound_speed * fluid.last_dt / config.spacing).min(T::one());
+        Self {
+            close: RowView { rows, points, targets, domain, kernel: Rational, radius: config.spacing },
+            velocity: &particles.velocity,
+            pressure: &particles.pressure,
+            share: (T::one() + dpc.restitution) * T::of(0.5) * passed,
+            push: dpc.repulsion * fluid.last_dt / config.density,
+            ceiling: dpc.ceiling * config.density * config.sound_speed * config.sound_speed,
         }
-        (change, load)
+    }
+
+    /// Velocity change of particle `i` \[m/s\] and its load `sum k_ij a_ij c dt/l0`, with the exchange of each pair times what
+    /// `limit` has for it.
+    #[inline(always)]
+    fn change<S: Simd>(
+        &self,
+        simd: S,
+        i: usize,
+        limit: impl Fn(&[usize]) -> T::Lanes<S>,
+    ) -> (Vector<T, D>, T) {
+        let zero = T::Lanes::splat(simd, T::zero());
+        let (mut change, mut load) = (vector([zero; D]), zero);
+        for pair in self.close.packs(simd, i) {
+            let j = pair.j.as_ref();
+            let other = Gather { simd, j, from: self.velocity };
+            let approach = dot(&difference(&other.vector(|u| u), &self.velocity[i]), &pair.r_ij);
+            let inverse_r2 = pair.r2.dividing(T::one());
+            let share = pair.weight.at_most(T::one()).root() * self.share;
+            load += share.where_below(approach, T::zero());
+            // Chosen last: pairs that part exchange nothing, not even a NaN one of them may carry.
+            let mut along = (share * limit(j) * approach * inverse_r2).where_below(approach, T::zero());
+            if PUSHED {
+                let sum = other.of(self.pressure).scalar(|p| *p) + self.pressure[i];
+                let background = (sum.at_least(T::zero()) - sum.at_most(T::zero())).at_most(self.ceiling);
+                let push = pair.weight.root() * background * inverse_r2 * self.push;
+                along -= push.where_below(-approach, T::zero());
+            }
+            accumulate(&mut change, &scale(&pair.r_ij, along));
+        }
+        (by_axis!(axis => components(&change)[axis].sum()), load.sum())
+    }
+}
+
+impl<'b, T: Real, const D: usize, P: Domain<T, D>, const PUSHED: bool>
+    Sweep<(&'b mut [Vector<T, D>], &'b mut [T])> for Exchange<'_, T, D, P, PUSHED>
+{
+    #[inline(always)]
+    fn visit<S: Simd>(&self, simd: S, i: usize, (change, load): (&'b mut Vector<T, D>, &'b mut T)) {
+        (*change, *load) = self.change(simd, i, |_| T::Lanes::splat(simd, T::one()));
+    }
+}
+
+/// The exchange with `s_ij`.
+struct Limited<'a, 'b, T: Real, const D: usize, P, const PUSHED: bool> {
+    exchange: &'a Exchange<'b, T, D, P, PUSHED>,
+    /// `s_i`.
+    limit: &'a [T],
+}
+
+impl<'b, T: Real, const D: usize, P: Domain<T, D>, const PUSHED: bool> Sweep<&'b mut [Vector<T, D>]>
+    for Limited<'_, '_, T, D, P, PUSHED>
+{
+    #[inline(always)]
+    fn visit<S: Simd>(&self, simd: S, i: usize, change: &'b mut Vector<T, D>) {
+        let limit = |j: &[usize]| T::Lanes::gather(simd, |lane| self.limit[j[lane]]).at_most(self.limit[i]);
+        *change = self.exchange.change(simd, i, limit).0;
     }
 }

@@ -65,6 +65,7 @@ fn sums<T: Real, S: Simd>(simd: S) {
     let cut = lanes.where_below(lanes, T::of(2.5)).at_least(T::of(1.5));
     let expected = 1.5 + 2.0 + 1.5 * (count - 2) as f64;
     assert_eq!(cut.sum(), T::of(expected));
+    assert_eq!(lanes.at_most(T::of(1.5)).sum(), T::of(1.0 + 1.5 * (count - 1) as f64));
     assert_eq!((lanes * T::of(0.5)).nearest().sum(), T::of((0..count).map(|k| nearest(k + 1)).sum()));
 }
 
