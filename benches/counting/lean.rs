@@ -9,14 +9,22 @@ use mps_kernel::operators::{ConservativeGradient, Divergence};
 use mps_kernel::small::{accumulate, components, scale, vector};
 use mps_kernel::weights::Rational;
 use mps_kernel::{Lanes, Real, Vector, by_axis};
-use mps_neighbors::{Cells, Open, Parallel, RowView, Rows, Sweep};
+use mps_neighbors::{Cells, Open, Parallel, Placed, RowView, Rows, Sweep};
 
 /// What a sweep reads of a neighbour, side by side as in the library.
 #[derive(Clone, Copy)]
 struct State<T: Real, const D: usize> {
+    position: Vector<T, D>,
     velocity: Vector<T, D>,
     density: T,
     share: T,
+}
+
+impl<T: Real, const D: usize> Placed<T, D> for State<T, D> {
+    #[inline(always)]
+    fn place(&self) -> &Vector<T, D> {
+        &self.position
+    }
 }
 
 /// A fluid at an instant.
@@ -43,7 +51,8 @@ impl<T: Real, const D: usize> Lean<T, D> {
         rows.build_within(&serial, &Open, &cells, &particles.position, reach).expect("finite positions");
         let state = |i: usize| {
             let (density, pressure) = (particles.density[i], particles.pressure[i]);
-            State { velocity: particles.velocity[i], density, share: pressure / density }
+            let (position, velocity) = (particles.position[i], particles.velocity[i]);
+            State { position, velocity, density, share: pressure / density }
         };
         let len = particles.position.len();
         Self {
@@ -99,7 +108,7 @@ impl<'b, T: Real, const D: usize> Sweep<&'b mut [Vector<T, D>]> for Momentum<'_,
     fn visit<S: Simd>(&self, simd: S, i: usize, acceleration: &'b mut Vector<T, D>) {
         let own = self.state[i];
         let mut pressed = vector([T::Lanes::splat(simd, T::zero()); D]);
-        for pair in self.neighbors.packs(simd, i) {
+        for pair in self.neighbors.packs_of(simd, i, self.state) {
             let j = pair.j.as_ref();
             let density = T::Lanes::gather(simd, |lane| self.state[j[lane]].density);
             let share = T::Lanes::gather(simd, |lane| self.state[j[lane]].share);
@@ -122,7 +131,7 @@ impl<'b, T: Real, const D: usize> Sweep<&'b mut [T]> for Continuity<'_, T, D> {
     fn visit<S: Simd>(&self, simd: S, i: usize, rate: &'b mut T) {
         let own = self.state[i];
         let mut inflow = T::Lanes::splat(simd, T::zero());
-        for pair in self.neighbors.packs(simd, i) {
+        for pair in self.neighbors.packs_of(simd, i, self.state) {
             let j = pair.j.as_ref();
             let density = T::Lanes::gather(simd, |lane| self.state[j[lane]].density);
             let velocity: Vector<T::Lanes<S>, D> = by_axis!(axis => T::Lanes::gather(simd, |lane| components(&self.state[j[lane]].velocity)[axis]));
