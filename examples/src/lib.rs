@@ -9,6 +9,7 @@ mod book;
 mod cli;
 mod conclusion;
 mod connected;
+pub mod convergence;
 pub mod exact;
 pub mod harmonics;
 mod log;

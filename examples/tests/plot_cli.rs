@@ -1,4 +1,4 @@
-//! `mps plot`: the plots of a run, again, and columns of its table by name.
+//! `mps plot`, `harmonics` and `converge`: the plots of a run, again, columns of its table by name, and a series of runs.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
 mod common;
@@ -120,4 +120,50 @@ fn harmonics_of_a_table_are_told() {
         let said = words(&output.stderr);
         assert!(!output.status.success() && said.contains(message), "{said}");
     }
+}
+
+#[test]
+fn a_series_of_runs_is_told_its_order() {
+    let root = fresh("plots", "converge");
+    let spacings = [4e-3, 2e-3, 1e-3];
+    let dirs: Vec<PathBuf> = spacings.iter().map(|l0| root.join(format!("{l0}"))).collect();
+    for (l0, dir) in spacings.iter().zip(&dirs) {
+        std::fs::create_dir_all(dir).unwrap();
+        let mut table = "time [s],tip x [m],level [m]\n".to_owned();
+        // Rows of their own, and an error of second order.
+        let rows = (0.2 / l0) as u32;
+        for k in 0..=rows {
+            let t = f64::from(k) / f64::from(rows);
+            table += &format!("{t},{},0.5\n", t + l0 * l0 * 1e3);
+        }
+        std::fs::write(dir.join("probes.csv"), table).unwrap();
+        let mut summary = mps_io::Summary::new("test", "0");
+        summary.set("spacing_m", l0);
+        summary.write(dir).unwrap();
+    }
+    let run = |dirs: &[PathBuf], arguments: &[&str]| {
+        Command::new(MPS).arg("converge").args(dirs).args(arguments).output().unwrap()
+    };
+    let told = words(&run(&dirs, &["--column", "tip x", "--column", "level"]).stdout);
+    assert!(told.contains("| 0.0000 to 1.0000 s | 4e-3 m to 2e-3 m | 2e-3 m to 1e-3 m | orders |"), "{told}");
+    assert!(told.contains("| tip x [m] | 1.200e-2 | 3.000e-3 | 2.00 |"), "{told}");
+    assert!(told.contains("| level [m] | 0.000e0 | 0.000e0 | - |"), "{told}");
+    // Without a summary runs have names, and no order.
+    std::fs::remove_file(dirs[0].join("summary.json")).unwrap();
+    let told = words(&run(&dirs, &["--column", "tip x", "--from", "0.2", "--to", "0.9"]).stdout);
+    assert!(told.contains("| 0.2000 to 0.9000 s | 0.004 to 2e-3 m |"), "{told}");
+    assert!(told.contains("| tip x [m] | 1.200e-2 | 3.000e-3 | - |"), "{told}");
+    for (arguments, message) in [
+        (vec!["--column", "tpi x"], "did you mean \"tip x\"?"),
+        (
+            vec!["--column", "tip x", "--from", "8"],
+            "--from is 8: all runs have rows from 0.0000 to 1.0000 s: give a time between",
+        ),
+        (vec![], "--column <NAME>"),
+    ] {
+        let output = run(&dirs, &arguments);
+        let said = words(&output.stderr);
+        assert!(!output.status.success() && said.contains(message), "{said}");
+    }
+    assert!(!run(&dirs[..1], &["--column", "tip x"]).status.success());
 }

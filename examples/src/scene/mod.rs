@@ -14,11 +14,12 @@
 //! | `watch/*` | what a run is watched for, its post-mortem, and how it is tried again |
 //! | `keeper`, `resume` | its checkpoints, and how it goes on from one |
 //! | `plan`, `disk` | what a run will cost, and whether there is room for it |
-//! | `table`, `plot`, `harmonics` | the probes of a run made before: its plots, and what oscillates in it |
+//! | `table`, `plot`, `harmonics`, `converge` | the probes of runs made before: their plots, what oscillates in them, how far they are apart |
 //! | `print` | the scene that a program describes instead of running it |
 
 mod bodies;
 mod clearance;
+mod converge;
 mod diagnosis;
 mod dimension;
 mod disk;
@@ -55,6 +56,7 @@ mod water;
 mod water_probes;
 mod world;
 
+pub use converge::converge;
 pub use diagnosis::Diagnosis;
 pub use examined::Examined;
 pub use fixed::FixedPoints;

@@ -3,10 +3,10 @@
 mod options;
 
 use clap::Parser;
-use mps_examples::scene::{Drawing, Examined, Window, harmonics, plot, resume};
+use mps_examples::scene::{Drawing, Examined, Window, converge, harmonics, plot, resume};
 use mps_examples::{Common, Failure, Precision, Refused, exit_code};
 use mps_io::scene_file;
-use options::{Begin, Command, Harmonics, Options, Plot, Resume, Run, Way};
+use options::{Begin, Command, Converge, Harmonics, Options, Plot, Resume, Run, Way};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -32,6 +32,9 @@ fn main() -> ExitCode {
         Command::Harmonics(Harmonics { directory, columns, from, to, count }) => {
             let window = Window { from, to, count: usize::from(count) };
             harmonics(&directory, &columns, window).map(|table| say(&table))
+        }
+        Command::Converge(Converge { directories, columns, from, to }) => {
+            converge(&directories, &columns, [from, to]).map(|table| say(&table))
         }
         Command::Schema { reference } => {
             let schema =

@@ -33,6 +33,8 @@ pub(crate) enum Command {
     Plot(Plot),
     /// Take columns of the table of a run apart into their strongest harmonics
     Harmonics(Harmonics),
+    /// Say how far the curves of a series of runs are apart, and of what order they converge
+    Converge(Converge),
     /// Print the JSON Schema of scene files, for editors that complete and check them
     Schema {
         /// A table of all keys in Markdown instead
@@ -142,6 +144,22 @@ pub(crate) struct Harmonics {
     /// How many harmonics of each column
     #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u8).range(1..=20))]
     pub(crate) count: u8,
+}
+
+#[derive(Args, Clone, Debug)]
+pub(crate) struct Converge {
+    /// The directories of the runs, from the coarsest to the finest: of this program, or of another one with a table
+    #[arg(required = true, num_args = 2..)]
+    pub(crate) directories: Vec<PathBuf>,
+    /// A column, by its heading with or without the unit; may be repeated
+    #[arg(long = "column", value_name = "NAME", required = true)]
+    pub(crate) columns: Vec<String>,
+    /// Begin of the part that is compared (s); that of the runs if left out
+    #[arg(long, value_name = "S")]
+    pub(crate) from: Option<f64>,
+    /// Its end (s); that of the shortest run if left out
+    #[arg(long, value_name = "S")]
+    pub(crate) to: Option<f64>,
 }
 
 #[derive(Args, Clone, Debug)]
