@@ -17,7 +17,7 @@
 //!
 //! **The push is off by default**: it acts on pairs that part and no others, so that all it can do is give energy (`docs/dam-break.md`).
 //!
-//! Pairs closer than `l0/30` count as if that far apart ([`mps_kernel::weights::closest`]).
+//! Below `l0/30` ([`mps_kernel::weights::closest`]) the exchange of a pair fades with the square of its distance, the push with the distance.
 //!
 //! All pairs act at once. Where several neighbours push the same particle the sum of their
 //! coefficients is limited to one (`s_ij = min(s_i, s_j)`, `s_i = 1/max(1, sum_j k_ij a_ij)`),
