@@ -13,6 +13,7 @@ use mps_neighbors::{Cells, Open, Parallel, Placed, RowView, Rows, Sweep};
 
 /// What a sweep reads of a neighbour, side by side as in the library.
 #[derive(Clone, Copy)]
+#[repr(align(16))]
 struct State<T: Real, const D: usize> {
     position: Vector<T, D>,
     velocity: Vector<T, D>,

@@ -65,7 +65,7 @@ fn the_files_of_absent_physics_are_not_visited_particle_by_particle() {
 /// the closures of the gathers as they are, and there the counts of both sides are held by the table.
 #[test]
 #[ignore = "needs valgrind"]
-fn the_loops_over_pairs_of_a_bare_fluid_are_those_without_a_place_for_more() {
+fn a_bare_fluid_takes_little_more_than_sweeps_without_a_place_for_more() {
     if !possible() {
         return;
     }

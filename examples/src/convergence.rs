@@ -21,9 +21,10 @@ impl Curve<'_> {
     }
 }
 
-/// Root mean square distance of two curves between two times \[s\], of which both have rows. `None` if a curve has fewer than two.
+/// Root mean square distance of two curves between two times \[s\], of which both have rows. `None` if a curve has fewer than two,
+/// or not a value at each of its times.
 pub fn distance(a: &Curve<'_>, b: &Curve<'_>, [from, to]: [f64; 2]) -> Option<f64> {
-    if a.time.len() < 2 || b.time.len() < 2 {
+    if [a, b].iter().any(|curve| curve.time.len() < 2 || curve.time.len() != curve.value.len()) {
         return None;
     }
     let times = (0..TIMES).map(|k| from + (to - from) * (k as f64 + 0.5) / TIMES as f64);
@@ -81,6 +82,7 @@ mod tests {
         let c = Curve { time: &tc, value: &c };
         assert!((distance(&a, &c, [0.0, 1.0]).unwrap() - 1.0 / 3f64.sqrt()).abs() < 1e-6);
         assert_eq!(distance(&a, &Curve { time: &ta[..1], value: &a.value[..1] }, [0.0, 1.0]), None);
+        assert_eq!(distance(&a, &Curve { time: &ta, value: &a.value[..100] }, [0.0, 1.0]), None);
     }
 
     proptest! {

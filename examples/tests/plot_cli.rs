@@ -148,22 +148,43 @@ fn a_series_of_runs_is_told_its_order() {
     assert!(told.contains("| 0.0000 to 1.0000 s | 4e-3 m to 2e-3 m | 2e-3 m to 1e-3 m | orders |"), "{told}");
     assert!(told.contains("| tip x [m] | 1.200e-2 | 3.000e-3 | 2.00 |"), "{told}");
     assert!(told.contains("| level [m] | 0.000e0 | 0.000e0 | - |"), "{told}");
+    // The summary of a scene has its spacing elsewhere.
+    let mut summary = mps_io::Summary::new("mps", "0");
+    let scene: std::collections::BTreeMap<&str, f64> = [("spacing", spacings[0])].into();
+    summary.set("description", std::collections::BTreeMap::from([("fluid", scene)]));
+    summary.write(&dirs[0]).unwrap();
+    assert_eq!(told, words(&run(&dirs, &["--column", "tip x", "--column", "level"]).stdout));
+    // Spacings that do not tell runs apart are no names.
+    let twice = [&dirs[1..2], &dirs[1..2]].concat();
+    let same = words(&run(&twice, &["--column", "tip x"]).stdout);
+    assert!(same.contains("| 0.002 to 0.002 | orders |") && same.contains("| 0.000e0 | - |"), "{same}");
     // Without a summary runs have names, and no order.
     std::fs::remove_file(dirs[0].join("summary.json")).unwrap();
     let told = words(&run(&dirs, &["--column", "tip x", "--from", "0.2", "--to", "0.9"]).stdout);
-    assert!(told.contains("| 0.2000 to 0.9000 s | 0.004 to 2e-3 m |"), "{told}");
+    assert!(told.contains("| 0.2000 to 0.9000 s | 0.004 to 0.002 | 0.002 to 0.001 |"), "{told}");
     assert!(told.contains("| tip x [m] | 1.200e-2 | 3.000e-3 | - |"), "{told}");
+    let all = "all runs have rows from 0.0000 to 1.0000 s: give a time between";
     for (arguments, message) in [
-        (vec!["--column", "tpi x"], "did you mean \"tip x\"?"),
+        (vec!["--column", "tpi x"], "did you mean \"tip x\"?".to_owned()),
+        (vec!["--column", "tip x", "--from", "8"], format!("--from is 8: {all}")),
+        (vec!["--column", "tip x", "--to", "8"], format!("--to is 8: {all}")),
+        (vec!["--column", "tip x", "--from", "nan"], format!("--from is NaN: {all}")),
         (
-            vec!["--column", "tip x", "--from", "8"],
-            "--from is 8: all runs have rows from 0.0000 to 1.0000 s: give a time between",
+            vec!["--column", "tip x", "--from", "0.2", "--to", "0.1"],
+            "--from is 0.2: give a time before 0.1000 s".to_owned(),
         ),
-        (vec![], "--column <NAME>"),
+        (vec![], "--column <NAME>".to_owned()),
     ] {
         let output = run(&dirs, &arguments);
         let said = words(&output.stderr);
-        assert!(!output.status.success() && said.contains(message), "{said}");
+        assert!(!output.status.success() && said.contains(&message), "{said}");
     }
+    // One that begins when the others have ended, and one with a value missing.
+    std::fs::write(dirs[0].join("probes.csv"), "time [s],tip x [m],level [m]\n3,0,0\n4,0,0\n").unwrap();
+    let said = words(&run(&dirs, &["--column", "tip x"]).stderr);
+    assert!(said.contains("DIRECTORIES is 0.004, 0.002, 0.001: these runs have no time in common"), "{said}");
+    std::fs::write(dirs[0].join("probes.csv"), "time [s],tip x [m],level [m]\n0,nan,0\n1,0,0\n").unwrap();
+    let told = words(&run(&dirs, &["--column", "tip x"]).stdout);
+    assert!(told.contains("| tip x [m] | - | 3.000e-3 | - |"), "{told}");
     assert!(!run(&dirs[..1], &["--column", "tip x"]).status.success());
 }

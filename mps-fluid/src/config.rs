@@ -32,7 +32,7 @@ pub enum Diffusion<T> {
 }
 
 impl<T: Real> Diffusion<T> {
-    /// The filter of the strength `delta` \[-\], or none if that is zero.
+    /// The filter of the strength `delta` \[-\], or none unless that is positive.
     pub fn filter(delta: f64) -> Self {
         if delta > 0.0 { Self::Filter { delta: T::of(delta) } } else { Self::None }
     }

@@ -28,10 +28,6 @@ impl Run {
     fn curve(&self, column: usize) -> Curve<'_> {
         Curve { time: self.time(), value: &self.probes.table.columns[column] }
     }
-
-    fn said(&self) -> String {
-        self.spacing.map_or_else(|| self.name.clone(), |l0| format!("{l0:e} m"))
-    }
 }
 
 /// What `summary.json` in `dir` says of the spacing \[m\]: the setting of a program, or the scene of the fluid.
@@ -43,47 +39,75 @@ fn spacing(dir: &Path) -> Option<f64> {
 }
 
 /// Root mean square distances of columns between each run and the next, and the orders in the spacing that fit each three of them, as a table in
-/// Markdown. The time is the first column of the tables of probes; `from` and `to` \[s\] are those that all runs have for `None`.
+/// Markdown; `-` where there is none. The time is the first column of the tables of probes; `from` and `to` \[s\] are those that all runs have for `None`.
 ///
 /// # Errors
-/// If a directory has no such table, it has no such column, or the runs have no time in common.
+/// If a directory has no such table, it has no such column, or the times are not those of all runs.
 pub fn converge(
     dirs: &[PathBuf],
     columns: &[String],
     [from, to]: [Option<f64>; 2],
 ) -> Result<String, Failure> {
     let runs = dirs.iter().map(|dir| Run::read(dir)).collect::<Result<Vec<_>, _>>()?;
-    let begin = runs.iter().filter_map(|run| run.time().first().copied()).fold(f64::NEG_INFINITY, f64::max);
-    let end = runs.iter().filter_map(|run| run.time().last().copied()).fold(f64::INFINITY, f64::min);
-    let window = [from.map_or(begin, |t| t.max(begin)), to.map_or(end, |t| t.min(end))];
-    let asked = from.or(to).map_or_else(|| "left out".to_owned(), |t| t.to_string());
-    let advice = format!("all runs have rows from {begin:.4} to {end:.4} s: give a time between");
-    Refused::unless(window[0] < window[1], if from.is_some() { "--from" } else { "--to" }, asked, advice)?;
-
+    let window = window(&runs, from, to)?;
     let mut text = format!("| {:.4} to {:.4} s |", window[0], window[1]);
-    for pair in runs.windows(2) {
-        let _ = write!(text, " {} to {} |", pair[0].said(), pair[1].said());
+    for pair in names(&runs).windows(2) {
+        let _ = write!(text, " {} to {} |", pair[0], pair[1]);
     }
     let _ = writeln!(text, " orders |\n|---|{}---|", "---|".repeat(runs.len() - 1));
     for name in columns {
-        let of = |run: &Run| run.probes.column(name);
-        let numbers = runs.iter().map(of).collect::<Result<Vec<usize>, _>>()?;
-        let heading = &runs[0].probes.table.names[numbers[0]];
+        let numbers = runs.iter().map(|run| run.probes.column(name)).collect::<Result<Vec<usize>, _>>()?;
         let curves: Vec<Curve<'_>> = runs.iter().zip(&numbers).map(|(run, k)| run.curve(*k)).collect();
-        let apart: Vec<f64> =
-            curves.windows(2).map(|pair| distance(&pair[0], &pair[1], window).unwrap_or(f64::NAN)).collect();
-        let _ = write!(text, "| {heading} |");
+        let apart: Vec<Option<f64>> =
+            curves.windows(2).map(|pair| distance(&pair[0], &pair[1], window)).collect();
+        let _ = write!(text, "| {} |", runs[0].probes.table.names[numbers[0]]);
         for distance in &apart {
-            let _ = write!(text, " {distance:.3e} |");
+            let known = distance.filter(|distance| distance.is_finite());
+            let _ = write!(text, " {} |", known.map_or("-".to_owned(), |distance| format!("{distance:.3e}")));
         }
-        let orders = runs.windows(3).zip(apart.windows(2)).map(|(three, apart)| {
-            let h = [three[0].spacing?, three[1].spacing?, three[2].spacing?];
-            order(h, [apart[0], apart[1]])
-        });
-        let orders: Vec<String> =
-            orders.map(|order| order.map_or("-".to_owned(), |p| format!("{p:.2}"))).collect();
-        let orders = if orders.is_empty() { "-".to_owned() } else { orders.join(", ") };
-        let _ = writeln!(text, " {orders} |");
+        let _ = writeln!(text, " {} |", orders(&runs, &apart));
     }
     Ok(text)
+}
+
+/// The part that is compared \[s\].
+fn window(runs: &[Run], from: Option<f64>, to: Option<f64>) -> Result<[f64; 2], Refused> {
+    let begin = runs.iter().filter_map(|run| run.time().first().copied()).fold(f64::NEG_INFINITY, f64::max);
+    let end = runs.iter().filter_map(|run| run.time().last().copied()).fold(f64::INFINITY, f64::min);
+    let all = runs.iter().map(|run| run.name.as_str()).collect::<Vec<_>>().join(", ");
+    Refused::unless(begin < end, "DIRECTORIES", all, "these runs have no time in common: give others")?;
+    let advice = format!("all runs have rows from {begin:.4} to {end:.4} s: give a time between");
+    for (flag, time) in [("--from", from), ("--to", to)] {
+        let Some(time) = time else { continue };
+        Refused::unless((begin..=end).contains(&time), flag, time, advice.clone())?;
+    }
+    let window = [from.unwrap_or(begin), to.unwrap_or(end)];
+    Refused::unless(
+        window[0] < window[1],
+        "--from",
+        window[0],
+        format!("give a time before {:.4} s", window[1]),
+    )?;
+    Ok(window)
+}
+
+/// What the runs are called: by their spacings if these tell them apart, by their directories otherwise.
+fn names(runs: &[Run]) -> Vec<String> {
+    let spacings: Option<Vec<f64>> = runs.iter().map(|run| run.spacing).collect();
+    match spacings {
+        Some(spacings) if spacings.windows(2).all(|pair| pair[0] != pair[1]) => {
+            spacings.iter().map(|l0| format!("{l0:e} m")).collect()
+        }
+        _ => runs.iter().map(|run| run.name.clone()).collect(),
+    }
+}
+
+/// The orders of each three runs, one after the other.
+fn orders(runs: &[Run], apart: &[Option<f64>]) -> String {
+    let of = |three: &[Run], apart: &[Option<f64>]| {
+        order([three[0].spacing?, three[1].spacing?, three[2].spacing?], [apart[0]?, apart[1]?])
+    };
+    let said = |order: Option<f64>| order.map_or("-".to_owned(), |p| format!("{p:.2}"));
+    let all: Vec<String> = runs.windows(3).zip(apart.windows(2)).map(|(h, d)| said(of(h, d))).collect();
+    if all.is_empty() { "-".to_owned() } else { all.join(", ") }
 }

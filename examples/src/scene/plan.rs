@@ -131,13 +131,14 @@ fn listed(scene: &SceneFile) -> Vec<(bool, &'static str, Option<Priced>)> {
             Diffusion::Hydrostatic => "hydrostatic-diffusion",
             _ => "filter-diffusion",
         };
+        let diffuses = !matches!(numerics.diffusion, Diffusion::None | Diffusion::Filter(0.0));
         let open = !(fluid.inlets.is_empty() && fluid.outlets.is_empty());
         all.extend([
             (artificial, "artificial viscosity", alone("artificial-viscosity")),
             (laminar, "laminar viscosity", alone("laminar-viscosity")),
             (laminar && sticky, "walls without slip", Some(Priced("no-slip", "walls+laminar-viscosity"))),
             (law, "law of the wall", Some(Priced("wall-law", "walls"))),
-            (numerics.diffusion != Diffusion::None, "density diffusion", alone(diffusion)),
+            (diffuses, "density diffusion", alone(diffusion)),
             (numerics.collisions, "collisions (DPC)", alone("collisions")),
             (numerics.shifting > 0, "shifting (icPS)", alone("shifting")),
             (numerics.background_pressure > 0.0, "background pressure", None),

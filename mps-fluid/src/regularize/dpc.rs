@@ -17,8 +17,6 @@
 //!
 //! **The push is off by default**: it acts on pairs that part and no others, so that all it can do is give energy (`docs/dam-break.md`).
 //!
-//! Below `l0/30` ([`mps_kernel::weights::closest`]) the exchange of a pair fades with the square of its distance, the push with the distance.
-//!
 //! All pairs act at once. Where several neighbours push the same particle the sum of their
 //! coefficients is limited to one (`s_ij = min(s_i, s_j)`, `s_i = 1/max(1, sum_j k_ij a_ij)`),
 //! which bounds the spectrum of the exchange matrix by 2: the collision part cannot create kinetic
@@ -54,6 +52,9 @@ impl<T: Real> Default for Dpc<T> {
         Self { restitution: T::zero(), repulsion: T::zero(), ceiling: T::of(0.02) }
     }
 }
+
+/// `w(l0/20)`: bounds `chi_ij` where the push would grow without limit.
+const NEAREST: f64 = 19.0;
 
 /// Corrects the velocities of the fluid.
 pub(crate) fn collide<T, const D: usize, K, V, P>(fluid: &mut Fluid<T, D, K, V, P>, parallel: &Parallel)
@@ -101,6 +102,8 @@ struct Exchange<'a, T: Real, const D: usize, P, const PUSHED: bool> {
     pressure: &'a [T],
     /// `a_ij` times the share of the exchange that is due in a step.
     share: T,
+    /// Square of the distance below which two particles are in the same place, and have no line to exchange momentum along \[m^2\].
+    coincident: T,
     /// `lambda dt/rho0`.
     push: T,
     /// Largest sum of two pressures that the push follows \[Pa\].
@@ -117,6 +120,7 @@ impl<'a, T: Real, const D: usize, P: Domain<T, D>, const PUSHED: bool> Exchange<
             velocity: &particles.velocity,
             pressure: &particles.pressure,
             share: (T::one() + dpc.restitution) * T::of(0.5) * passed,
+            coincident: config.spacing * config.spacing * T::of(1e-20),
             push: dpc.repulsion * fluid.last_dt / config.density,
             ceiling: dpc.ceiling * config.density * config.sound_speed * config.sound_speed,
         }
@@ -137,16 +141,20 @@ impl<'a, T: Real, const D: usize, P: Domain<T, D>, const PUSHED: bool> Exchange<
             let j = pair.j.as_ref();
             let other = Gather { simd, j, from: self.velocity };
             let approach = dot(&difference(&other.vector(|u| u), &self.velocity[i]), &pair.r_ij);
-            let inverse_r2 = pair.r2.dividing(T::one());
+            // Whatever a neighbour out of range carries, infinity and NaN included.
+            let approach = approach.where_below(-pair.weight, T::zero());
+            // Not the bounded distance of the pair: closer pairs exchange no less.
+            let inverse_r2 = dot(&pair.r_ij, &pair.r_ij).at_least(self.coincident).dividing(T::one());
             let share = pair.weight.at_most(T::one()).root() * self.share;
             load += share.where_below(approach, T::zero());
-            // Chosen last: pairs that part exchange nothing, not even a NaN one of them may carry.
+            // Chosen last: pairs that part exchange nothing, not even a NaN.
             let mut along = (share * limit(j) * approach * inverse_r2).where_below(approach, T::zero());
             if PUSHED {
                 let sum = other.of(self.pressure).scalar(|p| *p) + self.pressure[i];
                 let background = (sum.at_least(T::zero()) - sum.at_most(T::zero())).at_most(self.ceiling);
-                let push = pair.weight.root() * background * inverse_r2 * self.push;
-                along -= push.where_below(-approach, T::zero());
+                let chi = pair.weight.at_most(T::of(NEAREST)).root();
+                let push = chi * background * inverse_r2 * self.push;
+                along -= push - push.where_below(approach, T::zero());
             }
             accumulate(&mut change, &scale(&pair.r_ij, along));
         }
