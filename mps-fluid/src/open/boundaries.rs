@@ -1,11 +1,12 @@
 //! The openings of a fluid and how they are added.
 
+use super::hold::speed_at_plane;
 use super::{Inlet, Outlet};
 use crate::eos::EquationOfState;
 use crate::terms::Viscosity;
-use crate::{Fluid, FluidError};
+use crate::{Fluid, FluidError, FluidParticles};
 use mps_kernel::{Kernel, Real, Vector};
-use mps_neighbors::Domain;
+use mps_neighbors::{Domain, Parallel};
 
 /// The inlets and outlets of a fluid.
 #[derive(Debug)]
@@ -59,8 +60,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         Ok(())
     }
 
-    /// Lets fluid leave. The zone beyond its plane, twice the effective radius and a spacing deep, is filled with particles at rest;
-    /// walls have to reach an effective radius further.
+    /// Lets fluid leave. The zone beyond its plane, twice the effective radius and a spacing deep, is filled with particles that have the mean
+    /// speed of the fluid at the plane: what would be at rest there would stay, in the way of a flow that begins with a speed. Walls have to
+    /// reach an effective radius further.
     ///
     /// # Errors
     /// If the opening is no whole number of spacings wide, or the run has begun.
@@ -69,11 +71,16 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let spacing = self.config.spacing;
         outlet.opening.check(spacing)?;
         let density = self.eos.density(outlet.pressure);
+        let FluidParticles { position, velocity, .. } = &self.particles;
+        let speed = speed_at_plane(&Parallel::serial(), &outlet.opening, self.slab(), position, velocity)
+            .unwrap_or(T::zero());
+        let mut leaving = Vector::zeros();
+        leaving[outlet.opening.axis] = outlet.opening.along(speed);
         let layers = (self.zone() / spacing).to_double() as usize;
         for layer in 0..layers {
             for place in outlet.opening.lattice(spacing, T::of(layer as f64 + 0.5) * spacing) {
                 let id = self.open_boundaries().number();
-                self.particles.push(place, Vector::zeros(), density, outlet.pressure, id);
+                self.particles.push(place, leaving, density, outlet.pressure, id);
             }
         }
         self.rates.resize(self.particles.position.len());
@@ -95,6 +102,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// Depth of the zone beyond an outlet \[m\].
     pub(super) fn zone(&self) -> T {
         T::of(2.0) * self.reference.radius + self.config.spacing
+    }
+
+    /// Depth of the fluid before an outlet that tells its speed \[m\].
+    pub(super) fn slab(&self) -> T {
+        T::of(2.0) * self.reference.radius
     }
 
     fn open_boundaries(&mut self) -> &mut OpenBoundaries<T, D> {

@@ -11,9 +11,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// Finds the pressure beyond the outlets and takes the forces off the particles there: they go on with the speed at which they
     /// crossed the plane, and what the mean speed at the plane has changed by since.
     pub(crate) fn hold_outlets(&mut self, parallel: &Parallel) {
+        let slab = self.slab();
         let Some(open) = &mut self.open else { return };
         let (position, velocity) = (&self.particles.position, &self.particles.velocity);
-        let slab = T::of(2.0) * self.reference.radius;
         let area = open.outlets.iter().fold(T::zero(), |area, outlet| area + outlet.opening.area());
         let expected = open.inflow / area;
         for (k, outlet) in open.outlets.iter().enumerate() {
@@ -66,7 +66,7 @@ impl<T: Real, const D: usize> OpenBoundaries<T, D> {
 
 /// Mean speed through the plane of an opening \[m/s\]: the line of least squares through the particles up to `slab` \[m\] before it, at
 /// the plane. (The mean over the slab is what it was when the sound was there; the delay would send a part of it back.)
-fn speed_at_plane<T: Real, const D: usize>(
+pub(super) fn speed_at_plane<T: Real, const D: usize>(
     parallel: &Parallel,
     opening: &Opening<T, D>,
     slab: T,

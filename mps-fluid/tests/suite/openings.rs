@@ -8,7 +8,7 @@ use mps_fluid::{
 };
 use mps_kernel::weights::WendlandGradient;
 use mps_kernel::{ReferenceDensity, Vector};
-use mps_neighbors::{Open, Parallel, state_hash};
+use mps_neighbors::{Open, Parallel, PeriodicBox, state_hash};
 
 const L0: f64 = 0.05;
 const HEIGHT: f64 = 0.5;
@@ -81,6 +81,30 @@ fn a_plug_speeds_up_and_flows_without_pulses() {
     assert!((780..=810).contains(&entered) && (780..=810).contains(&left), "{entered} {left}");
     assert!(off_speed < 0.06 * SPEED, "speed {off_speed}");
     assert!(off_pressure < 0.12 * 1000.0 * SPEED * SPEED, "pressure {off_pressure}");
+}
+
+/// What is beyond the outlet at the start goes on with the others: at rest it would stay there for ever.
+#[test]
+fn a_plug_that_is_under_way_leaves_as_it_came() {
+    const WIDTH: f64 = 8.0 * L0;
+    let config = FluidConfig { tension: Tension::Keep, collisions: None, ..FluidConfig::water(L0, SOUND) };
+    let opening = |at| Opening { upper: Vector::from([0.0, WIDTH]), ..opening(at) };
+    let speed = Vector::from([1.0, 0.0]);
+    let mut particles = FluidParticles::at_rest(lattice([0.0; 2], [30, 8], L0));
+    particles.velocity.fill(speed);
+    let sides = PeriodicBox::new(Vector::zeros(), [None, Some(WIDTH)]).unwrap();
+    let mut fluid =
+        Fluid::new(config, WendlandGradient, |_: &_| (), sides, particles, Boundary::default()).unwrap();
+    fluid.add_inlet(Inlet::new(opening(0.0), |_, _| 1.0)).unwrap();
+    fluid.add_outlet(Outlet::absorbing(opening(LENGTH))).unwrap();
+    while fluid.time() < 3.0 * LENGTH {
+        fluid.step(&Parallel::serial()).unwrap();
+    }
+    let off = fluid.particles().velocity.iter().map(|u| (u - speed).norm()).fold(0.0, f64::max);
+    assert!(off < 1e-9, "{off}");
+    // Ninety columns of eight, and one that is about to pass.
+    let [entered, left] = fluid.passed();
+    assert!((712..=728).contains(&entered) && entered.abs_diff(left) <= 8, "{entered} {left}");
 }
 
 /// A developed profile goes through unchanged and has its pressure gradient.

@@ -6,6 +6,7 @@ mod coupling;
 mod fluid_step;
 mod map;
 mod motion;
+mod openings;
 mod options;
 mod precision;
 mod search;
@@ -47,6 +48,7 @@ fn borders() -> Vec<Border> {
         coupling::borders(),
         water::borders(),
         motion::borders(),
+        openings::borders(),
         strays::borders(),
         precision::borders(),
     ]
