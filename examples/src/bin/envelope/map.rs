@@ -41,8 +41,8 @@ const MAP: &[(&str, Known)] = &[
     ("impact", Between(0.6, 0.7)),
     // 4,500 and 45,000 steps; 450 at 10.
     ("reynolds", Lasts(&[10.0, 1.0, 0.1, 0.01], &[100.0, 1000.0])),
-    ("through-flow", Between(0.6, 0.9)),
-    ("through-flow-channel", Holds(&[0.05, 1.2])),
+    ("through-flow", Between(0.7, 1.2)),
+    ("through-flow-channel", Holds(&[0.1, 2.0])),
     ("few", Holds(&[1.0, 2.0, 3.0])),
     ("clustered", Holds(&[0.1, 0.0])),
     ("isolated", Holds(&[1.0])),

@@ -69,10 +69,10 @@ pub(crate) fn borders() -> Vec<Border> {
         measure: "what is left of a disturbance after four passages",
         bound: 0.2,
         scene: |mach| plug(mach, |_| {}),
-        predicted: None,
+        predicted: Some(|| Ok(1.0)),
         whole: false,
         breaks: Breaks::Error,
-        mechanism: "sound goes upstream with c - u, and the outlet answers as to sound in fluid at rest: what it sends back stays in the channel",
+        mechanism: "sound goes upstream with c - u, and stands still at 1: what the outlet answers to a disturbance stays before it and grows",
         remedy: "a speed of sound of ten times the largest speed",
     };
     vec![
@@ -86,6 +86,7 @@ pub(crate) fn borders() -> Vec<Border> {
                     config.shifting = Some(Shifting::default());
                 })
             },
+            predicted: None,
             breaks: Breaks::Nothing,
             mechanism: "corrected sums make no noise of their own that sound would have to carry away",
             remedy: "none needed",
