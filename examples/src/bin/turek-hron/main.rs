@@ -11,10 +11,9 @@ mod report;
 mod run;
 mod setup;
 
-use clap::Parser;
 use fields::Fields;
 use mps_examples::scene::print_scene;
-use mps_examples::{Cost, Failure, Precision, Watch, conclude, exit_code, record};
+use mps_examples::{Cost, Failure, Precision, Watch, conclude, exit_code, parse_with_presets, record};
 use mps_kernel::Real;
 use observe::Observer;
 use options::Options;
@@ -22,7 +21,7 @@ use run::Run;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let options = Options::parse();
+    let options = parse_with_presets::<Options>(options::preset);
     exit_code(match options.common.precision {
         _ if options.print_scene => print(&options),
         Precision::F32 => run::<f32>(&options),

@@ -5,7 +5,7 @@ use crate::reference::Test;
 use crate::setup::Settings;
 use clap::Parser;
 use mps_examples::solid::flag::{END, THICKNESS};
-use mps_examples::{Common, Refused};
+use mps_examples::{Common, Preset, PresetFlag, Refused};
 
 /// Flow about a cylinder with a flag in a channel (Turek and Hron 2006; case 3 of the paper).
 ///
@@ -55,7 +55,20 @@ pub(crate) struct Options {
     #[arg(long)]
     pub(crate) print_scene: bool,
     #[command(flatten)]
+    _preset: PresetFlag,
+    #[command(flatten)]
     pub(crate) common: Common,
+}
+
+/// What the presets stand for; their errors are in `docs/trade.md`; those of the cheap one in slow flow are held by `examples/tests/presets.rs`.
+pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
+    match preset {
+        Preset::Fast => {
+            &[("spacing", "5e-3"), ("length", "1.5"), ("sound-ratio", "5"), ("precision", "f32")]
+        }
+        Preset::Balanced => &[("spacing", "5e-3"), ("length", "1.5")],
+        Preset::Accurate => &[("spacing", "2.5e-3"), ("length", "1.5")],
+    }
 }
 
 impl Options {
