@@ -46,7 +46,7 @@ fn the_cheap_presets_of_the_dam_break_keep_their_promises() {
     keeps(DAM, "dam-break", &[], "balanced", &[&both[..], &balanced].concat());
 }
 
-/// In slow flow and as long as it takes to be steady; FSI3 takes too long.
+/// In slow flow, for as long as drag and lift take to be steady; FSI3 takes too long.
 #[test]
 #[ignore = "takes a minute"]
 fn the_fast_channel_keeps_its_promises() {
