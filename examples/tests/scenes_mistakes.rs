@@ -21,6 +21,8 @@ fn check(name: &str, text: &str) -> Output {
 type Mistake = (&'static str, &'static str, &'static str, &'static str);
 
 const INLET: &str = "opening = { lower = [0.0, 0.0], upper = [0.0, 0.41] }";
+const INLET_WHOLE: &str = "[[fluid.inlets]]\nopening = { lower = [0.0, 0.0], upper = [0.0, 0.41] }\ntoward = \"right\"\nmean_speed = 2.0\n\
+     profile = \"parabola\"\nramp = 2.0\n";
 const OUTLET: &str = "opening = { lower = [1.5, 0.0], upper = [1.5, 0.41] }";
 
 /// Mistakes in openings, fixed bodies and the numerics of fluid that fills its domain.
@@ -272,6 +274,27 @@ fn what_is_doubtful_is_a_warning() {
             "lower = [-0.05, -0.04], upper = [1.62, 0.0]",
             "lower = [-0.05, -0.04], upper = [1.5, 0.0]",
             "fluid.outlets[0].opening has no wall beside it near (1.5950, 0.0050): let the walls on both sides go on 1.000e-1 m",
+        ),
+        (
+            CHANNEL,
+            "no slip without viscosity",
+            "viscosity = { compact = 1e-3 }",
+            "viscosity = \"none\"",
+            "walls[0].slip does nothing: the fluid has no viscosity",
+        ),
+        (
+            CHANNEL,
+            "no slip by artificial viscosity",
+            "viscosity = { compact = 1e-3 }",
+            "viscosity = { artificial = 0.02 }",
+            "walls[0].slip drags by the artificial viscosity, here 1.0e-3 m2/s",
+        ),
+        (
+            CHANNEL,
+            "an outlet without an inlet",
+            INLET_WHOLE,
+            "",
+            "fluid.outlets[0].absorbing lets hardly anything out",
         ),
         (
             SCENE,

@@ -38,18 +38,25 @@ pub(crate) struct SubStep<'a, T: Real, const D: usize> {
 
 impl<T: Real, const D: usize> Handed<T, D> {
     pub(crate) fn book(&mut self, center: &Vector<T, D>, step: &SubStep<'_, T, D>) {
+        // Added up before it goes to the sums since the start: beside those the share of a single point is lost in single precision.
+        let mut sum = Self::default();
         let points = step.force.iter().zip(step.velocity).zip(step.position.iter().zip(step.start));
         for ((f, v), (end, start)) in points {
             let impulse = f * step.dt;
             // The force acts before the point moves.
             let place = end - v * step.dt;
             let push = Push::at(&(place - center), &impulse);
-            self.push += push;
-            self.work += impulse.dot(v);
-            self.off_line += Push::at(&(place - start), &impulse).moment;
-            self.size[0] += impulse.norm();
-            self.size[1] += push.moment.norm();
+            sum.push += push;
+            sum.work += impulse.dot(v);
+            sum.off_line += Push::at(&(place - start), &impulse).moment;
+            sum.size[0] += impulse.norm();
+            sum.size[1] += push.moment.norm();
         }
+        self.push += sum.push;
+        self.work += sum.work;
+        self.off_line += sum.off_line;
+        self.size[0] += sum.size[0];
+        self.size[1] += sum.size[1];
     }
 }
 

@@ -11,7 +11,7 @@ use crate::terms::{Guard, Viscosity, WallPair};
 use crate::time_step::stable_courant_number;
 use crate::{Boundary, Compressibility, FluidConfig, FluidError, FluidParticles, Limit, Tension};
 use mps_kernel::weights::Rational;
-use mps_kernel::{Kernel, ParticleStore, Real, ReferenceDensity, Vector};
+use mps_kernel::{Clock, Kernel, ParticleStore, Real, ReferenceDensity, Vector};
 use mps_neighbors::{Domain, Open, Parallel, RowView, Rows};
 
 /// A weakly compressible MPS fluid with density diffusion (paper 1, section 2.2.2).
@@ -41,7 +41,7 @@ pub struct Fluid<
     pub(crate) exchange: Exchange<T, D>,
     pub(crate) open: Option<Box<OpenBoundaries<T, D>>>,
     pub(crate) books: Option<Box<Books<T, D>>>,
-    pub(crate) time: T,
+    pub(crate) time: Clock<T>,
     pub(crate) steps: u64,
     /// Length of the previous step \[s\], 0 before the first.
     pub(crate) last_dt: T,
@@ -112,7 +112,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             exchange: Exchange::default(),
             open: None,
             books: None,
-            time: T::zero(),
+            time: Clock::default(),
             steps: 0,
             last_dt: T::zero(),
             limit: Limit::default(),
@@ -168,7 +168,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// place \[m/s^2\]: a central force, a field that changes with time. Belongs between the halves of a step.
     ///
     /// The walls do not know of it: what they show follows the gravity of the parameters. Hence for fluid
-    /// away from walls, or for fields along them. The time step has been chosen without it.
+    /// away from walls, or for fields along them. The time step has been chosen without it. Beyond outlets nothing acts; the hydrostatic
+    /// diffusion of the density takes what it does to the pressure for noise.
     pub fn add_acceleration(
         &mut self,
         parallel: &Parallel,
@@ -187,6 +188,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// whoever moves the boundary sets the new positions afterwards.
     pub fn finish_step(&mut self, parallel: &Parallel, dt: T) {
         self.finish_exchange();
+        self.follow_outlets(parallel, dt);
         let Rates { acceleration, flow, .. } = &mut self.rates;
         let acceleration = &*acceleration;
         let FluidParticles { position, velocity, .. } = &mut self.particles;
@@ -207,7 +209,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             *n = (*n + rate[i] * dt).max(thinnest);
         });
         self.advance_inlets(dt);
-        self.time += dt;
+        self.time = self.time.after(dt);
         self.last_dt = dt;
         self.steps += 1;
         self.stage = Stage::Between;
@@ -315,7 +317,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
     /// Simulated time \[s\].
     pub fn time(&self) -> T {
-        self.time
+        self.time.now()
     }
 
     /// Steps done.

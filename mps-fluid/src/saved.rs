@@ -55,7 +55,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if let Some(books) = books {
             transfer.within("books", |transfer| books.transfer(transfer));
         }
-        transfer.value("time", time);
+        transfer.within("time", |transfer| time.transfer(transfer));
         transfer.value("steps", steps);
         transfer.value("last step", last_dt);
         for (name, both) in [("", compressibility), ("largest ", compressibility_seen)] {
@@ -87,15 +87,12 @@ impl<T: Real, const D: usize> Boundary<T, D> {
 
 impl<T: Real, const D: usize> OpenBoundaries<T, D> {
     fn transfer(&mut self, transfer: &mut Transfer<'_>) {
-        let Self { inlets, outlets, beyond, speed, inflow, next_id, passed } = self;
+        // What the speeds have changed by is of the present step.
+        let Self { inlets, outlets, beyond, speed, change: _, inflow, next_id, passed } = self;
         transfer.same("inlets", inlets.len());
         transfer.same("outlets", outlets.len());
-        transfer.array("density beyond", beyond);
-        let mut known: Vec<bool> = speed.iter().map(Option::is_some).collect();
-        let mut speeds: Vec<T> = speed.iter().map(|speed| speed.unwrap_or(T::zero())).collect();
-        transfer.flags("speed known", &mut known);
-        transfer.array("speed", &mut speeds);
-        *speed = known.into_iter().zip(speeds).map(|(known, speed)| known.then_some(speed)).collect();
+        transfer.array("pressure beyond", beyond);
+        transfer.array("speed", speed);
         transfer.value("inflow", inflow);
         transfer.value("next id", next_id);
         transfer.array("passed", passed);

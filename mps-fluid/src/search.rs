@@ -60,6 +60,12 @@ impl<T: Real, const D: usize> Search<T, D> {
         self.skin.expired(parallel, domain, &[&particles.position, &boundary.position])
     }
 
+    /// Whether there are rows, and of as many particles and boundary points.
+    pub(crate) fn is_of(&self, particles: &FluidParticles<T, D>, boundary: &Boundary<T, D>) -> bool {
+        let now = [particles.position.len(), boundary.position.len()];
+        self.skin.built_from().is_some_and(|sets| sets.iter().map(Vec::len).eq(now))
+    }
+
     /// Puts the particles into spatial order and builds all rows anew.
     pub(crate) fn rebuild<P: Domain<T, D>>(
         &mut self,

@@ -180,7 +180,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                 quantity,
                 value: value.to_double(),
                 position: particles.position[i].iter().map(|x| x.to_double()).collect(),
-                time: self.time.to_double(),
+                time: self.time.now().to_double(),
                 step: self.steps,
             };
         }
@@ -197,7 +197,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         }
         FluidError::TimeStep {
             dt: dt.to_double(),
-            time: self.time.to_double(),
+            time: self.time.now().to_double(),
             id: fastest.1,
             speed: fastest.0.to_double(),
         }

@@ -62,6 +62,7 @@
 //! # Ok::<(), mps_kernel::ReferenceDensityError>(())
 //! ```
 
+mod clock;
 mod lanes;
 mod lattice_waves;
 mod neighborhood;
@@ -76,6 +77,7 @@ mod store;
 pub mod tensor;
 pub mod weights;
 
+pub use clock::Clock;
 pub use lanes::{F32Lanes, F64Lanes, Lanes};
 pub use lattice_waves::{LatticeNeighbor, LatticeWaves, WaveSymbols};
 pub use neighborhood::{Neighborhood, PairOperator, apply};

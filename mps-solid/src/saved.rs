@@ -39,11 +39,11 @@ where
         transfer.array("history", history);
         transfer.array("mean velocity", mean_velocity);
         transfer.value("stability limit", stability_limit);
-        transfer.value("time", time);
+        transfer.within("time", |transfer| time.transfer(transfer));
         transfer.flag("stale", stale);
         transfer.same("moved supports", motions.len());
         if transfer.is_restoring() {
-            self.place_supports(self.time);
+            self.place_supports(self.time.now());
         }
     }
 }

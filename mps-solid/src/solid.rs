@@ -8,7 +8,7 @@ use crate::supports::{Motion, Placement};
 use crate::undo::Before;
 use crate::{ConstitutiveModel, SolidConfig, SolidError, SolidParticles};
 use mps_kernel::weights::WendlandC2;
-use mps_kernel::{Kernel, ParticleStore, Real, Tensor, Vector};
+use mps_kernel::{Clock, Kernel, ParticleStore, Real, Tensor, Vector};
 use mps_neighbors::{FrozenPairs, Parallel};
 
 /// An elastic body of particles.
@@ -32,7 +32,7 @@ where
     pub(crate) wave_speed: T,
     pub(crate) stability_limit: T,
     pub(crate) mean_velocity: Vec<Vector<T, D>>,
-    pub(crate) time: T,
+    pub(crate) time: Clock<T>,
     pub(crate) motions: Vec<Motion<T, D>>,
     pub(crate) placements: Vec<Placement<T, D>>,
     /// Forces and deformations do not belong to the positions (someone has written to the store).
@@ -78,7 +78,7 @@ where
             wave_speed: material.wave_speed(density),
             stability_limit: T::zero(),
             mean_velocity: vec![Vector::zeros(); len],
-            time: T::zero(),
+            time: Clock::default(),
             motions: Vec::new(),
             placements: Vec::new(),
             inner: vec![no_stress; len],
@@ -140,8 +140,8 @@ where
         let half = step * T::of(0.5);
         let begin = self.time;
         let go = |solid: &mut Self, substep: usize| {
-            solid.time = begin + step * T::of(substep as f64);
-            solid.place_supports(solid.time);
+            solid.time = begin.after(step * T::of(substep as f64));
+            solid.place_supports(solid.time.now());
         };
         go(self, 1);
         self.kick_and_drift(parallel, force, gravity, half, step);

@@ -105,7 +105,7 @@ where
         choose: impl Fn(&Vector<T, D>) -> bool,
         motion: impl Fn(T) -> Placement<T, D> + Send + Sync + 'static,
     ) -> Result<(), SolidError> {
-        let start = motion(self.time);
+        let start = motion(self.time.now());
         let SolidParticles { reference, position, held, group, id, .. } = &mut self.particles;
         let number =
             u8::try_from(self.motions.len() + 1).map_err(|_| SolidError::Motion { problem: "too many" })?;

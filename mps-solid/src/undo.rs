@@ -1,7 +1,7 @@
 //! What a step that fails must not cost: the state before it.
 
 use crate::{ConstitutiveModel, Solid, SolidError};
-use mps_kernel::{Kernel, Pod, Real, Vector};
+use mps_kernel::{Clock, Kernel, Pod, Real, Vector};
 use mps_neighbors::Parallel;
 
 /// The state at the start of a call of [`Solid::advance`].
@@ -10,7 +10,7 @@ pub(crate) struct Before<T: Real, const D: usize, H> {
     pub(crate) position: Vec<Vector<T, D>>,
     velocity: Vec<Vector<T, D>>,
     history: Vec<H>,
-    time: T,
+    time: Clock<T>,
 }
 
 impl<T: Real, const D: usize, H: Pod + Default> Before<T, D, H> {
@@ -20,7 +20,7 @@ impl<T: Real, const D: usize, H: Pod + Default> Before<T, D, H> {
             position: vec![Vector::zeros(); len],
             velocity: vec![Vector::zeros(); len],
             history: vec![H::default(); len],
-            time: T::zero(),
+            time: Clock::default(),
         }
     }
 }
@@ -46,7 +46,7 @@ where
         self.particles.velocity.copy_from_slice(&self.before.velocity);
         self.history.copy_from_slice(&self.before.history);
         self.time = self.before.time;
-        self.place_supports(self.time);
+        self.place_supports(self.time.now());
         // Where even these positions have no deformation (they were set from outside) the next step says so again.
         match self.refresh(parallel) {
             Ok(()) | Err(_) => error,

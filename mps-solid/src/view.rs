@@ -38,7 +38,7 @@ where
 
     /// Time moved through so far \[s\].
     pub fn time(&self) -> T {
-        self.time
+        self.time.now()
     }
 
     /// Displacement over the last [`advance`](Self::advance) divided by its `dt` \[m/s\].

@@ -29,6 +29,17 @@ pub(super) struct Fields {
     slice: Slice,
     pressure_scale: f64,
     strain_scale: f64,
+    /// Time between pictures \[s\].
+    picture_interval: f64,
+}
+
+/// In milliseconds, or, where pictures are closer than one of them, in microseconds.
+fn picture_name(time: f64, interval: f64) -> String {
+    if interval > 0.0 && interval < 1e-3 {
+        format!("picture_{:09.0}us.png", time * 1e6)
+    } else {
+        format!("picture_{:06.0}ms.png", time * 1e3)
+    }
 }
 
 impl Fields {
@@ -49,6 +60,7 @@ impl Fields {
             slice,
             pressure_scale: output.pressure_scale.unwrap_or_else(|| pressure_scale(scene, world)),
             strain_scale: output.strain_scale.unwrap_or(0.1),
+            picture_interval: output.intervals(scene.end_time)[3],
         })
     }
 
@@ -64,6 +76,7 @@ impl Fields {
             slice: _,
             pressure_scale: _,
             strain_scale: _,
+            picture_interval: _,
         } = self;
         files.transfer(transfer);
         let mut marks = film.as_ref().map(Film::marks).unwrap_or_default();
@@ -140,7 +153,7 @@ impl Fields {
         }
         let image = drawn.render()?;
         if picture {
-            image.write_png(self.dir.join(format!("picture_{:06.0}ms.png", time * 1e3)))?;
+            image.write_png(self.dir.join(picture_name(time, self.picture_interval)))?;
         }
         if frame {
             let film = match &mut self.film {
@@ -198,4 +211,17 @@ fn pressure_scale<T: Real, const D: usize, K: Kernel<T>>(scene: &SceneFile, worl
     let largest = fluid.particles().pressure.iter().map(|p| p.to_double()).fold(0.0, f64::max);
     let speed = 0.1 * description.sound();
     if largest > 0.0 { largest } else { 0.5 * description.density * speed * speed }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::picture_name;
+
+    #[test]
+    fn pictures_have_names_of_their_own_however_close_they_are() {
+        assert_eq!(picture_name(0.3, 0.05), "picture_000300ms.png");
+        let names = [0.0, 4e-4, 8e-4].map(|time| picture_name(time, 4e-4));
+        assert_eq!(names[1], "picture_000000400us.png");
+        assert!(names[0] != names[1] && names[1] != names[2]);
+    }
 }

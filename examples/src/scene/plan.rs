@@ -136,7 +136,11 @@ fn listed(scene: &SceneFile) -> Vec<(bool, &'static str, Option<Priced>)> {
         all.extend([
             (artificial, "artificial viscosity", alone("artificial-viscosity")),
             (laminar, "laminar viscosity", alone("laminar-viscosity")),
-            (laminar && sticky, "walls without slip", Some(Priced("no-slip", "walls+laminar-viscosity"))),
+            (
+                (artificial || laminar) && sticky,
+                "walls without slip",
+                Some(Priced("no-slip", "walls+laminar-viscosity")),
+            ),
             (law, "law of the wall", Some(Priced("wall-law", "walls"))),
             (diffuses, "density diffusion", alone(diffusion)),
             (numerics.collisions, "collisions (DPC)", alone("collisions")),

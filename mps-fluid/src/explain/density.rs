@@ -86,8 +86,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             diffusion: own.density * self.diffusivity() * filtered,
             outlet: zero,
         };
-        let held = self.open.as_ref().and_then(|open| open.held(&self.particles.position[i]));
-        if let Some(n) = held {
+        if let Some(n) = self.held_density(i) {
             terms.outlet = (n - self.particles.density[i]) / dt - terms.total();
         }
         terms

@@ -13,10 +13,12 @@ use mps_neighbors::{Domain, Parallel};
 pub(crate) struct OpenBoundaries<T: Real, const D: usize> {
     pub(crate) inlets: Vec<Inlet<T, D>>,
     pub(crate) outlets: Vec<Outlet<T, D>>,
-    /// Density ratio beyond each outlet in this step.
+    /// Pressure at the middle of each outlet in this step \[Pa\].
     pub(crate) beyond: Vec<T>,
-    /// Mean speed through the plane of each outlet in the last step \[m/s\].
-    pub(crate) speed: Vec<Option<T>>,
+    /// Mean speed through the plane of each outlet, as last known \[m/s\]: that of the particles beyond it.
+    pub(crate) speed: Vec<T>,
+    /// What it has changed by in this step \[m/s\].
+    pub(crate) change: Vec<T>,
     /// Volume that enters per time \[m^D/s\].
     pub(crate) inflow: T,
     /// Number of the next particle.
@@ -32,6 +34,7 @@ impl<T: Real, const D: usize> Default for OpenBoundaries<T, D> {
             outlets: Vec::new(),
             beyond: Vec::new(),
             speed: Vec::new(),
+            change: Vec::new(),
             inflow: T::zero(),
             next_id: 0,
             passed: [0; 2],
@@ -62,7 +65,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
     /// Lets fluid leave. The zone beyond its plane, twice the effective radius and a spacing deep, is filled with particles that have the mean
     /// speed of the fluid at the plane: what would be at rest there would stay, in the way of a flow that begins with a speed. Walls have to
-    /// reach an effective radius further.
+    /// reach an effective radius further. What else is behind the plane, another outlet or other fluid, has to be two spacings from the zone.
     ///
     /// # Errors
     /// If the opening is no whole number of spacings wide, or the run has begun.
@@ -70,7 +73,6 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         self.refuse_after_start()?;
         let spacing = self.config.spacing;
         outlet.opening.check(spacing)?;
-        let density = self.eos.density(outlet.pressure);
         let FluidParticles { position, velocity, .. } = &self.particles;
         let speed = speed_at_plane(&Parallel::serial(), &outlet.opening, self.slab(), position, velocity)
             .unwrap_or(T::zero());
@@ -80,14 +82,16 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         for layer in 0..layers {
             for place in outlet.opening.lattice(spacing, T::of(layer as f64 + 0.5) * spacing) {
                 let id = self.open_boundaries().number();
-                self.particles.push(place, leaving, density, outlet.pressure, id);
+                let pressure = outlet.pressure + self.hydrostatic(&outlet.opening, &place);
+                self.particles.push(place, leaving, self.eos.density(pressure), pressure, id);
             }
         }
         self.rates.resize(self.particles.position.len());
         let open = self.open_boundaries();
+        open.beyond.push(outlet.pressure);
         open.outlets.push(outlet);
-        open.beyond.push(density);
-        open.speed.push(None);
+        open.speed.push(speed);
+        open.change.push(T::zero());
         Ok(())
     }
 

@@ -16,7 +16,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         };
         open.inflow = T::zero();
         for inlet in &open.inlets {
-            open.inflow += inlet.drive(&mut self.boundary, self.time, dt)?;
+            open.inflow += inlet.drive(&mut self.boundary, self.time.now(), dt)?;
         }
         Ok(())
     }

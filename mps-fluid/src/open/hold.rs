@@ -1,5 +1,6 @@
 //! What outlets do in a step: they prescribe the pressure, and take the forces off what is leaving.
 
+use super::outlet::Reach;
 use super::{OpenBoundaries, Opening};
 use crate::Fluid;
 use crate::eos::EquationOfState;
@@ -8,14 +9,15 @@ use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::{Domain, Parallel};
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
-    /// Finds the pressure beyond the outlets and takes the forces off the particles there: they go on with the speed at which they
-    /// crossed the plane, and what the mean speed at the plane has changed by since.
+    /// Finds the pressure beyond the outlets and what the speeds at their planes have changed by, and takes the forces off the particles
+    /// there.
     pub(crate) fn hold_outlets(&mut self, parallel: &Parallel) {
         let slab = self.slab();
         let Some(open) = &mut self.open else { return };
         let (position, velocity) = (&self.particles.position, &self.particles.velocity);
         let area = open.outlets.iter().fold(T::zero(), |area, outlet| area + outlet.opening.area());
         let expected = open.inflow / area;
+        let begun = self.last_dt > T::zero();
         for (k, outlet) in open.outlets.iter().enumerate() {
             let speed = speed_at_plane(parallel, &outlet.opening, slab, position, velocity);
             let excess = match speed {
@@ -23,48 +25,87 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                 _ => T::zero(),
             };
             let impedance = self.config.density * self.config.sound_speed;
-            open.beyond[k] = self.eos.density(outlet.pressure + impedance * excess);
-            let change = match (speed, open.speed[k]) {
-                (Some(now), Some(before)) if self.last_dt > T::zero() => (now - before) / self.last_dt,
-                _ => T::zero(),
-            };
-            open.speed[k] = speed;
-            parallel.update(self.rates.acceleration.as_mut_slice(), |i, a| {
-                if outlet.holds(&position[i]) {
-                    *a = Vector::zeros();
-                    a[outlet.opening.axis] = outlet.opening.along(change);
-                }
-            });
+            open.beyond[k] = outlet.pressure + impedance * excess;
+            // Where nothing is before the plane, what is behind it goes on as it was.
+            let now = speed.unwrap_or(open.speed[k]);
+            // At the start the particles beyond have the velocities that they were given.
+            open.change[k] = if begun { now - open.speed[k] } else { T::zero() };
+            open.speed[k] = now;
+        }
+        self.push_leaving(parallel, |_| Vector::zeros());
+    }
+
+    /// Lets the particles beyond the outlets go on with the speed at which they crossed the plane, and what the mean speed there has changed by
+    /// since: an acceleration in a step of `dt` \[s\], in place of whatever else acts.
+    pub(crate) fn follow_outlets(&mut self, parallel: &Parallel, dt: T) {
+        if dt > T::zero() {
+            self.push_leaving(parallel, |along| along / dt);
         }
     }
 
-    /// Gives the particles beyond the outlets the density they are to have after `dt` \[s\].
-    pub(crate) fn hold_densities(&mut self, parallel: &Parallel, dt: T) {
+    /// Gives the particles beyond the outlets an acceleration, from what the velocity at the plane has changed by.
+    fn push_leaving(
+        &mut self,
+        parallel: &Parallel,
+        acceleration: impl Fn(Vector<T, D>) -> Vector<T, D> + Sync,
+    ) {
+        let (depth, spacing) = (self.zone(), self.config.spacing);
         let Some(open) = &self.open else { return };
-        let (position, density) = (&self.particles.position, &self.particles.density);
-        parallel.update(self.rates.density_rate.as_mut_slice(), |i, rate| {
-            if let Some(n) = open.held(&position[i]) {
-                *rate = (n - density[i]) / dt;
+        let position = &self.particles.position;
+        parallel.update(self.rates.acceleration.as_mut_slice(), |i, a| {
+            if let Some(k) = open.outlet_at(&position[i], depth, spacing) {
+                let opening = &open.outlets[k].opening;
+                let mut change = Vector::zeros();
+                change[opening.axis] = opening.along(open.change[k]);
+                *a = acceleration(change);
             }
         });
     }
 
+    /// Gives the particles beyond the outlets the density they are to have after `dt` \[s\].
+    pub(crate) fn hold_densities(&mut self, parallel: &Parallel, dt: T) {
+        if self.open.is_none() {
+            return;
+        }
+        let mut rates = core::mem::take(&mut self.rates.density_rate);
+        parallel.update(rates.as_mut_slice(), |i, rate| {
+            if let Some(n) = self.held_density(i) {
+                *rate = (n - self.particles.density[i]) / dt;
+            }
+        });
+        self.rates.density_rate = rates;
+    }
+
+    /// The density ratio that particle `i` is given, if it is beyond an outlet.
+    pub(crate) fn held_density(&self, i: usize) -> Option<T> {
+        let (open, place) = (self.open.as_ref()?, &self.particles.position[i]);
+        let k = open.outlet_at(place, self.zone(), self.config.spacing)?;
+        Some(self.eos.density(open.beyond[k] + self.hydrostatic(&open.outlets[k].opening, place)))
+    }
+
+    /// Pressure at a place over that at the middle of an opening \[Pa\], of fluid at rest under gravity.
+    pub(super) fn hydrostatic(&self, opening: &Opening<T, D>, place: &Vector<T, D>) -> T {
+        let mut from_middle = place - opening.middle();
+        from_middle[opening.axis] = T::zero();
+        self.config.density * self.config.gravity.dot(&from_middle)
+    }
+
     /// Whether particle `i` is beyond an outlet.
     pub(crate) fn is_leaving(&self, i: usize) -> bool {
-        let place = &self.particles.position[i];
-        self.open.as_ref().is_some_and(|open| open.outlets.iter().any(|outlet| outlet.holds(place)))
+        let (place, depth, spacing) = (&self.particles.position[i], self.zone(), self.config.spacing);
+        self.open.as_ref().is_some_and(|open| open.outlet_at(place, depth, spacing).is_some())
     }
 }
 
 impl<T: Real, const D: usize> OpenBoundaries<T, D> {
-    /// The density ratio that a particle at `place` is given, if that is beyond an outlet.
-    pub(crate) fn held(&self, place: &Vector<T, D>) -> Option<T> {
-        let mut outlets = self.outlets.iter().zip(&self.beyond);
-        outlets.find(|(outlet, _)| outlet.holds(place)).map(|(_, n)| *n)
+    /// The outlet that a place is beyond: the one whose zone it is in before one whose rim.
+    fn outlet_at(&self, place: &Vector<T, D>, depth: T, spacing: T) -> Option<usize> {
+        let at = |reach| self.outlets.iter().position(|outlet| outlet.reach(place, depth, spacing) == reach);
+        at(Reach::Zone).or_else(|| at(Reach::Rim))
     }
 }
 
-/// Mean speed through the plane of an opening \[m/s\]: the line of least squares through the particles up to `slab` \[m\] before it, at
+/// Mean speed through the plane of an opening \[m/s\]: the line of least squares through the particles up to `slab` \[m\] straight before it, at
 /// the plane. (The mean over the slab is what it was when the sound was there; the delay would send a part of it back.)
 pub(super) fn speed_at_plane<T: Real, const D: usize>(
     parallel: &Parallel,
@@ -76,7 +117,11 @@ pub(super) fn speed_at_plane<T: Real, const D: usize>(
     let moments = |i: usize| {
         let x = opening.beyond(&position[i]);
         let u = opening.along(velocity[i][opening.axis]);
-        if x <= T::zero() && x > -slab { [T::one(), x, x * x, u, x * u] } else { [T::zero(); 5] }
+        if x <= T::zero() && x > -slab && opening.beside(&position[i]) <= T::zero() {
+            [T::one(), x, x * x, u, x * u]
+        } else {
+            [T::zero(); 5]
+        }
     };
     let add = |a: [T; 5], b: [T; 5]| core::array::from_fn(|k| a[k] + b[k]);
     let [n, x, xx, u, xu] = parallel.fold(position.len(), [T::zero(); 5], &moments, &add);

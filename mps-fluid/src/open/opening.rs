@@ -24,6 +24,19 @@ impl<T: Real, const D: usize> Opening<T, D> {
         self.along(place[self.axis] - self.at)
     }
 
+    /// How far a place is beside the opening \[m\], not more than zero if it is before or behind it.
+    pub(crate) fn beside(&self, place: &Vector<T, D>) -> T {
+        let past = |side: usize| (self.lower[side] - place[side]).max(place[side] - self.upper[side]);
+        self.sides().map(past).fold(-T::of(f64::INFINITY), T::max)
+    }
+
+    /// Its middle \[m\].
+    pub(crate) fn middle(&self) -> Vector<T, D> {
+        let mut middle = (self.lower + self.upper) * T::of(0.5);
+        middle[self.axis] = self.at;
+        middle
+    }
+
     /// A component along the axis, counted in the direction of the flow.
     pub(crate) fn along(&self, component: T) -> T {
         if self.forward { component } else { -component }

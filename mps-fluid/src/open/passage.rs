@@ -1,6 +1,7 @@
 //! Who enters and who leaves.
 
 use super::OpenBoundaries;
+use super::outlet::Reach;
 use crate::Fluid;
 use crate::terms::Viscosity;
 use mps_kernel::{FieldVisitor, Kernel, Neighborhood, ParticleStore, Pod, Real, Vector};
@@ -9,10 +10,13 @@ use mps_neighbors::Domain;
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
     /// Lets particles in and out. Afterwards the neighbour rows have to be rebuilt.
     pub(crate) fn let_pass(&mut self) -> Option<u32> {
-        let depth = self.zone();
+        let (depth, spacing) = (self.zone(), self.config.spacing);
         let open = self.open.as_mut()?;
         let before = self.particles.position.len();
-        let gone = |place: &Vector<T, D>| open.outlets.iter().any(|outlet| outlet.drops(place, depth));
+        let gone = |place: &Vector<T, D>| {
+            let is = |reach| open.outlets.iter().any(|outlet| outlet.reach(place, depth, spacing) == reach);
+            is(Reach::Rim) && !is(Reach::Zone)
+        };
         let keep: Vec<bool> = self.particles.position.iter().map(|place| !gone(place)).collect();
         let leaving = keep.iter().any(|kept| !kept);
         let first = open.next_id;

@@ -8,7 +8,8 @@ use mps_kernel::{Number, Pair, Real, ReferenceDensity, Vector};
 /// A viscous pair acceleration. `()` is an inviscid fluid and costs nothing; a tuple adds two.
 pub trait Viscosity<T: Real, const D: usize>: Copy + Send + Sync {
     /// Adds the acceleration of `i` \[m/s^2\] by neighbour `j`, from their velocities \[m/s\].
-    /// Must be antisymmetric in `i` and `j`, so that momentum is kept, and `#[inline(always)]`.
+    /// Must be antisymmetric in `i` and `j`, so that momentum is kept, and `#[inline(always)]`. Where a structure without slip is near it is taken
+    /// to be linear in the difference of the velocities: it is followed so through the sub-steps of the structure.
     fn add<N: Number<T>, J>(
         &self,
         sum: &mut Vector<N, D>,

@@ -3,8 +3,8 @@
 
 use crate::common::lattice;
 use mps_fluid::{
-    Boundary, Fluid, FluidConfig, FluidError, FluidParticles, Inlet, LaminarViscosity, Opening, Outlet, Slip,
-    Tension, Viscosity,
+    Boundary, EquationOfState, Fluid, FluidConfig, FluidError, FluidParticles, Inlet, LaminarViscosity,
+    Opening, Outlet, Slip, Tension, Viscosity,
 };
 use mps_kernel::weights::WendlandGradient;
 use mps_kernel::{ReferenceDensity, Vector};
@@ -105,6 +105,97 @@ fn a_plug_that_is_under_way_leaves_as_it_came() {
     // Ninety columns of eight, and one that is about to pass.
     let [entered, left] = fluid.passed();
     assert!((712..=728).contains(&entered) && entered.abs_diff(left) <= 8, "{entered} {left}");
+}
+
+/// Fluid that goes to the right at one metre a second from `lower` on, `counts` spacings.
+fn under_way(bodies: &[([f64; 2], [usize; 2])], speed: f64) -> FluidParticles<f64, 2> {
+    let places = bodies.iter().flat_map(|(lower, counts)| lattice(*lower, *counts, L0)).collect();
+    let mut particles = FluidParticles::at_rest(places);
+    particles.velocity.fill(Vector::from([speed, 0.0]));
+    particles
+}
+
+/// Without walls: at the density of rest nothing pushes.
+fn free(particles: FluidParticles<f64, 2>) -> Fluid<f64, 2, WendlandGradient, ()> {
+    let config = FluidConfig { tension: Tension::Keep, collisions: None, ..FluidConfig::water(L0, SOUND) };
+    Fluid::new(config, WendlandGradient, |_: &_| (), Open, particles, Boundary::default()).unwrap()
+}
+
+/// Two streams side by side that leave at different places, and fluid behind the plane of either outlet that is none of its business.
+#[test]
+fn an_outlet_minds_its_own_zone() {
+    let across = |at: f64, bottom: f64| Opening {
+        lower: Vector::from([0.0, bottom]),
+        upper: Vector::from([0.0, bottom + HEIGHT]),
+        ..opening(at)
+    };
+    let streams = [([0.0, 0.0], [30, 10]), ([0.0, 2.0 * HEIGHT], [15, 10])];
+    let mut fluid = free(under_way(&[streams[0], streams[1], ([2.0, 4.0 * HEIGHT], [6, 6])], 1.0));
+    for (at, bottom) in [(LENGTH, 0.0), (0.5 * LENGTH, 2.0 * HEIGHT)] {
+        fluid.add_inlet(Inlet::new(across(0.0, bottom), |_, _| 1.0)).unwrap();
+        fluid.add_outlet(Outlet::absorbing(across(at, bottom))).unwrap();
+    }
+    while fluid.time() < LENGTH {
+        fluid.step(&Parallel::serial()).unwrap();
+    }
+    let particles = fluid.particles();
+    let off = particles.velocity.iter().map(|u| (u - Vector::from([1.0, 0.0])).norm()).fold(0.0, f64::max);
+    assert!(off < 1e-9, "{off}");
+    let there = |low: f64, high: f64| {
+        particles.position.iter().filter(|r| r.y > low && r.y < high && r.x < LENGTH).count()
+    };
+    assert!((290..=310).contains(&there(0.0, HEIGHT)), "{}", there(0.0, HEIGHT));
+    // The zone behind the second outlet is seven columns deep.
+    assert!(
+        (210..=240).contains(&there(2.0 * HEIGHT, 3.0 * HEIGHT)),
+        "{}",
+        there(2.0 * HEIGHT, 3.0 * HEIGHT)
+    );
+    assert_eq!(particles.position.iter().filter(|r| r.y > 4.0 * HEIGHT).count(), 36);
+    let [entered, left] = fluid.passed();
+    assert!((580..=620).contains(&entered) && entered.abs_diff(left) <= 20, "{entered} {left}");
+}
+
+/// What is behind the plane at the start is at rest; it goes with the first fluid that comes.
+#[test]
+fn what_comes_to_an_outlet_later_leaves_through_it() {
+    let mut fluid = free(under_way(&[([0.0, 0.0], [10, 10])], 1.0));
+    fluid.add_outlet(Outlet { absorbing: false, ..Outlet::absorbing(opening(LENGTH)) }).unwrap();
+    assert!(fluid.particles().velocity.iter().filter(|u| u.norm() == 0.0).count() == 70);
+    while fluid.time() < LENGTH + 0.2 {
+        fluid.step(&Parallel::serial()).unwrap();
+    }
+    let off = fluid.particles().velocity.iter().map(|u| (u.x - 1.0).abs()).fold(0.0, f64::max);
+    assert!(off < 1e-9, "{off}");
+    let [_, left] = fluid.passed();
+    assert!(left >= 80, "{left} of 170 particles have left");
+}
+
+/// Fluid at rest beside an outlet from its floor to its surface stays at rest: the pressure beyond is that of its weight.
+#[test]
+fn an_outlet_bears_the_weight_of_the_fluid() {
+    let gravity = Vector::from([0.0, -9.81]);
+    let config = FluidConfig { gravity, ..FluidConfig::water(L0, SOUND) };
+    let eos = config.equation_of_state();
+    let counts = [20, 10];
+    let mut particles = FluidParticles::at_rest(lattice([0.0; 2], counts, L0));
+    for (n, r) in particles.density.iter_mut().zip(&particles.position) {
+        *n = eos.density(1000.0 * 9.81 * (HEIGHT - r.y));
+    }
+    let mut boundary = Boundary::default();
+    boundary.add_wall(&lattice([-3.0 * L0, -3.0 * L0], [40, 3], L0), Slip::Free).unwrap();
+    boundary.add_wall(&lattice([-3.0 * L0, 0.0], [3, 15], L0), Slip::Free).unwrap();
+    let mut fluid = Fluid::new(config, WendlandGradient, |_: &_| (), Open, particles, boundary).unwrap();
+    let pressure = 0.5 * 1000.0 * 9.81 * HEIGHT;
+    fluid.add_outlet(Outlet { absorbing: false, pressure, opening: opening(1.0) }).unwrap();
+    while fluid.time() < 1.0 {
+        fluid.step(&Parallel::serial()).unwrap();
+    }
+    let FluidParticles { position, velocity, .. } = fluid.particles();
+    let inside = velocity.iter().zip(position).filter(|(_, r)| r.x < 1.0);
+    let energy = inside.map(|(u, _)| u.norm_squared()).sum::<f64>() / 200.0;
+    assert!(energy.sqrt() < 0.05 * (9.81 * HEIGHT).sqrt(), "{}", energy.sqrt());
+    assert_eq!(fluid.passed(), [0, 0]);
 }
 
 /// A developed profile goes through unchanged and has its pressure gradient.

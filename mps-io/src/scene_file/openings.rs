@@ -53,8 +53,8 @@ impl Profile {
     }
 }
 
-/// Where fluid leaves. The zone behind its plane, twice the effective radius and a spacing deep, is filled with fluid at rest;
-/// walls have to go on an effective radius further
+/// Where fluid leaves. The zone behind its plane, twice the effective radius and a spacing deep, is filled with fluid of the mean
+/// speed of that before it; walls have to go on an effective radius further, and other fluid has to be two spacings from it
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Outlet {
@@ -62,10 +62,10 @@ pub struct Outlet {
     pub opening: Corners,
     /// Where the fluid goes
     pub toward: Side,
-    /// Pressure behind its plane (Pa); the background pressure if left out
+    /// Pressure behind its plane, at the middle of the opening (Pa), hydrostatic from there; the background pressure if left out
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressure: Option<f64>,
-    /// Whether sound goes out through it; if not, the pressure is constant, and sound is reflected as from an open end
+    /// Whether sound goes out through it; the flow is then that of the inlets, shared by area. If not, the pressure is constant, and sound is reflected as from an open end
     #[serde(default = "yes")]
     pub absorbing: bool,
 }

@@ -63,9 +63,7 @@ pub(crate) struct Options {
 /// What the presets stand for; their errors are in `docs/trade.md`; those of the cheap one in slow flow are held by `examples/tests/presets.rs`.
 pub(crate) fn preset(preset: Preset) -> mps_examples::Settings {
     match preset {
-        Preset::Fast => {
-            &[("spacing", "5e-3"), ("length", "1.5"), ("sound-ratio", "5"), ("precision", "f32")]
-        }
+        Preset::Fast => &[("spacing", "5e-3"), ("length", "1.5"), ("sound-ratio", "5"), ("precision", "f32")],
         Preset::Balanced => &[("spacing", "5e-3"), ("length", "1.5")],
         Preset::Accurate => &[("spacing", "2.5e-3"), ("length", "1.5")],
     }

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod contacts;
+mod friction;
 mod openings;
 mod part;
 
@@ -51,6 +52,7 @@ pub(in crate::scene) fn diagnose<const D: usize>(
     let subject = Subject { scene, source, layout, parallel };
     contacts(&subject, &mut found)?;
     openings(&subject, &mut found)?;
+    friction::friction(scene, source, &mut found);
     bodies_apart(&subject, &mut found)?;
     Ok(found)
 }

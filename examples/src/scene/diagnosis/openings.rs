@@ -5,6 +5,7 @@ use super::super::lattice::Place;
 use super::part::{GAP, Part, overlap, words};
 use super::{Diagnosis, Subject};
 use crate::Failure;
+use mps_io::scene_file::{SceneFile, Source};
 
 /// An opening has fluid on its inner side, and walls beside what lies behind it.
 pub(super) fn openings<const D: usize>(
@@ -42,5 +43,20 @@ pub(super) fn openings<const D: usize>(
             }
         }
     }
+    throttles(scene, subject.source, found);
     Ok(())
+}
+
+/// Outlets that let sound out also let through no more and no less than the inlets bring.
+fn throttles(scene: &SceneFile, source: &Source, found: &mut Diagnosis) {
+    let Some(fluid) = &scene.fluid else { return };
+    let what = match (fluid.inlets.len(), fluid.outlets.len()) {
+        (0, _) => "lets hardly anything out: it is for the flow that inlets bring, and there are none",
+        (_, 2..) => "shares what the inlets bring with the other outlets by area, whatever their pressures",
+        _ => return,
+    };
+    for (k, _) in fluid.outlets.iter().enumerate().filter(|(_, outlet)| outlet.absorbing) {
+        let remedy = "give `absorbing = false` where the flow is to follow from the pressures";
+        found.warnings.push(source.problem(&format!("fluid.outlets[{k}].absorbing"), what, remedy));
+    }
 }
