@@ -188,7 +188,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// whoever moves the boundary sets the new positions afterwards.
     pub fn finish_step(&mut self, parallel: &Parallel, dt: T) {
         self.finish_exchange();
-        self.follow_outlets(parallel, dt);
+        self.follow_outlets(dt);
         let Rates { acceleration, flow, .. } = &mut self.rates;
         let acceleration = &*acceleration;
         let FluidParticles { position, velocity, .. } = &mut self.particles;
@@ -198,7 +198,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         });
         self.book_step(parallel, dt);
         self.sweep_density(parallel);
-        self.hold_densities(parallel, dt);
+        self.hold_densities(dt);
         let FluidParticles { position, velocity, density, .. } = &mut self.particles;
         let (velocity, rate) = (&*velocity, &self.rates.density_rate);
         let domain = self.domain;

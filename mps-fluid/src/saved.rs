@@ -87,8 +87,8 @@ impl<T: Real, const D: usize> Boundary<T, D> {
 
 impl<T: Real, const D: usize> OpenBoundaries<T, D> {
     fn transfer(&mut self, transfer: &mut Transfer<'_>) {
-        // What the speeds have changed by is of the present step.
-        let Self { inlets, outlets, beyond, speed, change: _, inflow, next_id, passed } = self;
+        // What the speeds have changed by, and who leaves, is of the present step.
+        let Self { inlets, outlets, beyond, speed, change: _, leaving: _, inflow, next_id, passed } = self;
         transfer.same("inlets", inlets.len());
         transfer.same("outlets", outlets.len());
         transfer.array("pressure beyond", beyond);

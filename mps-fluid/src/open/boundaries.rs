@@ -19,6 +19,8 @@ pub(crate) struct OpenBoundaries<T: Real, const D: usize> {
     pub(crate) speed: Vec<T>,
     /// What it has changed by in this step \[m/s\].
     pub(crate) change: Vec<T>,
+    /// The particles beyond an outlet in this step, and which.
+    pub(crate) leaving: Vec<(usize, usize)>,
     /// Volume that enters per time \[m^D/s\].
     pub(crate) inflow: T,
     /// Number of the next particle.
@@ -35,6 +37,7 @@ impl<T: Real, const D: usize> Default for OpenBoundaries<T, D> {
             beyond: Vec::new(),
             speed: Vec::new(),
             change: Vec::new(),
+            leaving: Vec::new(),
             inflow: T::zero(),
             next_id: 0,
             passed: [0; 2],

@@ -12,7 +12,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// Finds the pressure beyond the outlets and what the speeds at their planes have changed by, and takes the forces off the particles
     /// there.
     pub(crate) fn hold_outlets(&mut self, parallel: &Parallel) {
-        let slab = self.slab();
+        let (slab, zone) = (self.slab(), self.zone());
         let Some(open) = &mut self.open else { return };
         let (position, velocity) = (&self.particles.position, &self.particles.velocity);
         let area = open.outlets.iter().fold(T::zero(), |area, outlet| area + outlet.opening.area());
@@ -32,55 +32,48 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             open.change[k] = if begun { now - open.speed[k] } else { T::zero() };
             open.speed[k] = now;
         }
-        self.push_leaving(parallel, |_| Vector::zeros());
+        let (depth, spacing) = (zone, self.config.spacing);
+        let mut leaving = core::mem::take(&mut open.leaving);
+        leaving.clear();
+        // One after the other: it is little more than a comparison a particle, and the list is in the order of the particles.
+        let who = position.iter().enumerate();
+        leaving.extend(who.filter_map(|(i, place)| Some((i, open.outlet_at(place, depth, spacing)?))));
+        open.leaving = leaving;
+        for (i, _) in &open.leaving {
+            self.rates.acceleration[*i] = Vector::zeros();
+        }
     }
 
     /// Lets the particles beyond the outlets go on with the speed at which they crossed the plane, and what the mean speed there has changed by
     /// since: an acceleration in a step of `dt` \[s\], in place of whatever else acts.
-    pub(crate) fn follow_outlets(&mut self, parallel: &Parallel, dt: T) {
-        if dt > T::zero() {
-            self.push_leaving(parallel, |along| along / dt);
+    pub(crate) fn follow_outlets(&mut self, dt: T) {
+        let Some(open) = self.open.as_ref().filter(|_| dt > T::zero()) else { return };
+        for (i, k) in &open.leaving {
+            let opening = &open.outlets[*k].opening;
+            let mut acceleration = Vector::zeros();
+            acceleration[opening.axis] = opening.along(open.change[*k]) / dt;
+            self.rates.acceleration[*i] = acceleration;
         }
-    }
-
-    /// Gives the particles beyond the outlets an acceleration, from what the velocity at the plane has changed by.
-    fn push_leaving(
-        &mut self,
-        parallel: &Parallel,
-        acceleration: impl Fn(Vector<T, D>) -> Vector<T, D> + Sync,
-    ) {
-        let (depth, spacing) = (self.zone(), self.config.spacing);
-        let Some(open) = &self.open else { return };
-        let position = &self.particles.position;
-        parallel.update(self.rates.acceleration.as_mut_slice(), |i, a| {
-            if let Some(k) = open.outlet_at(&position[i], depth, spacing) {
-                let opening = &open.outlets[k].opening;
-                let mut change = Vector::zeros();
-                change[opening.axis] = opening.along(open.change[k]);
-                *a = acceleration(change);
-            }
-        });
     }
 
     /// Gives the particles beyond the outlets the density they are to have after `dt` \[s\].
-    pub(crate) fn hold_densities(&mut self, parallel: &Parallel, dt: T) {
-        if self.open.is_none() {
-            return;
+    pub(crate) fn hold_densities(&mut self, dt: T) {
+        let Some(open) = &self.open else { return };
+        for (i, k) in &open.leaving {
+            let n = self.density_beyond(open, *k, &self.particles.position[*i]);
+            self.rates.density_rate[*i] = (n - self.particles.density[*i]) / dt;
         }
-        let mut rates = core::mem::take(&mut self.rates.density_rate);
-        parallel.update(rates.as_mut_slice(), |i, rate| {
-            if let Some(n) = self.held_density(i) {
-                *rate = (n - self.particles.density[i]) / dt;
-            }
-        });
-        self.rates.density_rate = rates;
     }
 
     /// The density ratio that particle `i` is given, if it is beyond an outlet.
     pub(crate) fn held_density(&self, i: usize) -> Option<T> {
         let (open, place) = (self.open.as_ref()?, &self.particles.position[i]);
         let k = open.outlet_at(place, self.zone(), self.config.spacing)?;
-        Some(self.eos.density(open.beyond[k] + self.hydrostatic(&open.outlets[k].opening, place)))
+        Some(self.density_beyond(open, k, place))
+    }
+
+    fn density_beyond(&self, open: &OpenBoundaries<T, D>, k: usize, place: &Vector<T, D>) -> T {
+        self.eos.density(open.beyond[k] + self.hydrostatic(&open.outlets[k].opening, place))
     }
 
     /// Pressure at a place over that at the middle of an opening \[Pa\], of fluid at rest under gravity.
@@ -99,9 +92,17 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
 impl<T: Real, const D: usize> OpenBoundaries<T, D> {
     /// The outlet that a place is beyond: the one whose zone it is in before one whose rim.
+    #[inline]
     fn outlet_at(&self, place: &Vector<T, D>, depth: T, spacing: T) -> Option<usize> {
-        let at = |reach| self.outlets.iter().position(|outlet| outlet.reach(place, depth, spacing) == reach);
-        at(Reach::Zone).or_else(|| at(Reach::Rim))
+        let mut rim = None;
+        for (k, outlet) in self.outlets.iter().enumerate() {
+            match outlet.reach(place, depth, spacing) {
+                Reach::Zone => return Some(k),
+                Reach::Rim => rim = rim.or(Some(k)),
+                Reach::Outside => {}
+            }
+        }
+        rim
     }
 }
 

@@ -34,10 +34,15 @@ impl<T: Real, const D: usize> Outlet<T, D> {
     }
 
     /// Where a place is, for a zone of this `depth` \[m\] and a rim of a `spacing` \[m\].
+    #[inline]
     pub(crate) fn reach(&self, place: &Vector<T, D>, depth: T, spacing: T) -> Reach {
         let beyond = self.opening.beyond(place);
+        // Most particles are before the plane.
+        if !(beyond > T::zero() && beyond <= depth + spacing) {
+            return Reach::Outside;
+        }
         let beside = self.opening.beside(place);
-        if !(beyond > T::zero() && beyond <= depth + spacing && beside <= spacing) {
+        if beside > spacing {
             Reach::Outside
         } else if beyond <= depth && beside <= T::zero() {
             Reach::Zone
