@@ -4,13 +4,11 @@ use super::Diagnosis;
 use mps_io::scene_file::{SceneFile, Slip, Source, Viscosity};
 
 /// No slip is as much as the viscosity makes of it: nothing without one, and with the artificial one a friction that belongs to the spacing.
-pub(super) fn friction(scene: &SceneFile, source: &Source, found: &mut Diagnosis) {
+pub(super) fn friction<const D: usize>(scene: &SceneFile, source: &Source, found: &mut Diagnosis) {
     let Some(fluid) = &scene.fluid else { return };
     let what = match fluid.viscosity {
         Viscosity::Artificial(alpha) if alpha > 0.0 => {
-            // Two dimensions have alpha c l0/8, three alpha c l0/10.
-            let across = 2.0 * (scene.gravity.len() as f64 + 2.0);
-            let nu = alpha * fluid.sound() * fluid.spacing / across;
+            let nu = alpha * fluid.sound() * fluid.spacing / (2.0 * (D as f64 + 2.0));
             format!("drags by the artificial viscosity, here {nu:.1e} m2/s, which goes with the spacing")
         }
         Viscosity::None | Viscosity::Artificial(_) => "does nothing: the fluid has no viscosity".to_owned(),

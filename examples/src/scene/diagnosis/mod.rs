@@ -52,7 +52,7 @@ pub(in crate::scene) fn diagnose<const D: usize>(
     let subject = Subject { scene, source, layout, parallel };
     contacts(&subject, &mut found)?;
     openings(&subject, &mut found)?;
-    friction::friction(scene, source, &mut found);
+    friction::friction::<D>(scene, source, &mut found);
     bodies_apart(&subject, &mut found)?;
     Ok(found)
 }
