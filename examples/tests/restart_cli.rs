@@ -164,7 +164,8 @@ fn a_channel_goes_on_with_the_same_bits() {
 /// Simulated time of the checkpoint that a resumed run would begin with.
 fn kept_time(dir: &Path) -> Option<f64> {
     let (checkpoint, _) = Rotation::new(dir.join("checkpoint")).read().ok()?;
-    let time = checkpoint.state.sections().iter().find(|section| section.name == "wet/scene/fluid/time/now")?;
+    let time =
+        checkpoint.state.sections().iter().find(|section| section.name == "wet/scene/fluid/time/now")?;
     Some(f64::from_ne_bytes(time.bytes.as_slice().try_into().unwrap()))
 }
 
