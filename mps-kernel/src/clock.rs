@@ -2,7 +2,7 @@
 
 use crate::{Real, Transfer};
 
-/// A time \[s\], and what rounding has taken off the steps that led to it (Kahan's sum): in single precision a thousand seconds of steps of a
+/// A time \[s\], and what rounding has taken off the steps that led to it (Kahan 1965, Commun. ACM 8:40): in single precision a thousand seconds of steps of a
 /// microsecond would else stand still, and steps of the same length be all rounded to the same side.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Clock<T> {

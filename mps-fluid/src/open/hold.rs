@@ -85,8 +85,10 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
     /// Whether particle `i` is beyond an outlet.
     pub(crate) fn is_leaving(&self, i: usize) -> bool {
-        let (place, depth, spacing) = (&self.particles.position[i], self.zone(), self.config.spacing);
-        self.open.as_ref().is_some_and(|open| open.outlet_at(place, depth, spacing).is_some())
+        let place = &self.particles.position[i];
+        self.open
+            .as_ref()
+            .is_some_and(|open| open.outlet_at(place, self.zone(), self.config.spacing).is_some())
     }
 }
 

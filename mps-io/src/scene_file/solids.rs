@@ -35,7 +35,7 @@ pub struct Solid {
     /// Velocity at the start; at rest if left out
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub velocity: Option<InitialVelocity>,
-    /// Damping of every velocity (1/s), as in `du/dt = ... - damping u`: for answers at rest; under the load of a fluid it changes them by `damping dt/4`, a tenth of a percent
+    /// Damping of every velocity (1/s), as in `du/dt = ... - damping u`: for answers at rest; under the load of a fluid it changes them by about `damping dt/4` of themselves, `dt` the sub-step
     #[serde(default, skip_serializing_if = "is_zero")]
     pub damping: f64,
 }

@@ -72,7 +72,7 @@ pub(crate) fn borders() -> Vec<Border> {
         predicted: Some(|| Ok(1.0)),
         whole: false,
         breaks: Breaks::Error,
-        mechanism: "sound goes upstream with c - u, and stands still at 1: what the outlet answers to a disturbance stays before it and grows",
+        mechanism: "presumably sound, which goes upstream with c - u and stands still at 1: what the outlet answers to a disturbance stays before it",
         remedy: "a speed of sound of ten times the largest speed",
     };
     vec![
@@ -88,7 +88,7 @@ pub(crate) fn borders() -> Vec<Border> {
             },
             predicted: None,
             breaks: Breaks::Nothing,
-            mechanism: "corrected sums make no noise of their own that sound would have to carry away",
+            mechanism: "presumably corrected sums make no noise that sound would have to carry away",
             remedy: "none needed",
             ..plain
         },
