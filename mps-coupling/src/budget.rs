@@ -164,6 +164,40 @@ mod tests {
     }
 
     #[test]
+    fn many_small_shares_are_not_lost_beside_what_was_handed_before() {
+        const POINTS: usize = 1000;
+        // Half of the last place of one: alone it would vanish beside it.
+        let share = 0.4 * f32::EPSILON;
+        let of = |count: usize, x: f32| {
+            (vec![Vector::from([x, 0.0]); count], vec![Vector::from([1.0, 0.0]); count])
+        };
+        let places = vec![Vector::from([1.0, 1.0]); POINTS];
+        let mut handed = Handed::<f32, 2>::default();
+        for (force, velocity) in [of(1, 1.0), of(POINTS, share)] {
+            let count = force.len();
+            let step = SubStep {
+                force: &force,
+                velocity: &velocity,
+                position: &places[..count],
+                start: &places[..count],
+                dt: 1.0,
+            };
+            handed.book(&Vector::zeros(), &step);
+        }
+        let gained = POINTS as f32 * share;
+        let sums = [
+            handed.push.force.x,
+            handed.work,
+            handed.push.moment[(0, 1)].abs(),
+            handed.size[0],
+            handed.size[1],
+        ];
+        for (sum, first) in sums.into_iter().zip([1.0, 1.0, 1.0, 1.0, handed.size[1] / (1.0 + gained)]) {
+            assert!(((sum - first) / gained - 1.0).abs() < 0.01, "{sums:?}");
+        }
+    }
+
+    #[test]
     fn an_audit_keeps_the_worst_residual_relative_to_the_forces() {
         let mut budget = Budget::<f64, 2>::default();
         let pushed = [Vector::from([3.0, 0.0]), Vector::from([-1.0, 0.0])];

@@ -252,3 +252,33 @@ fn duration(seconds: f64) -> String {
         s => format!("{:.1} hours", s / 3600.0),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test may fail")]
+
+    use super::{Priced, listed};
+    use mps_io::scene_file::{Source, parse};
+
+    const TANK: &str = include_str!("../../scenes/hydrostatic-tank.toml");
+
+    /// The price of walls without slip, if the tank has it with this viscosity and walls of this slip.
+    fn friction(viscosity: &str, slip: &str) -> Option<Priced> {
+        let text = TANK
+            .replace("[[fluid.bodies]]", &format!("viscosity = {viscosity}\n[[fluid.bodies]]"))
+            .replace("fineness = 0.5", &format!("fineness = 0.5\nslip = \"{slip}\""));
+        let scene = parse(&Source::new("tank.toml", text)).unwrap();
+        let (on, _, price) =
+            listed(&scene).into_iter().find(|(_, what, _)| *what == "walls without slip").unwrap();
+        price.filter(|_| on)
+    }
+
+    #[test]
+    fn walls_without_slip_are_listed_with_whatever_viscosity_they_act_through() {
+        for viscosity in ["{ artificial = 0.1 }", "{ laminar = 1e-3 }", "{ compact = 1e-3 }"] {
+            assert!(friction(viscosity, "none").is_some(), "{viscosity}");
+            assert!(friction(viscosity, "free").is_none(), "{viscosity}");
+        }
+        assert!(friction("{ artificial = 0.0 }", "none").is_none());
+    }
+}

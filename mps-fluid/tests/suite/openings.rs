@@ -107,6 +107,33 @@ fn a_plug_that_is_under_way_leaves_as_it_came() {
     assert!((712..=728).contains(&entered) && entered.abs_diff(left) <= 8, "{entered} {left}");
 }
 
+/// What acts before an outlet and how long a step takes must not matter beyond it: there counts by how much the speed at the plane has changed.
+#[test]
+fn what_is_beyond_an_outlet_keeps_pace_whatever_the_steps_and_the_fields() {
+    const PUSH: f64 = 1e-3;
+    let mut fluid = free(under_way(&[([0.0, 0.0], [30, 10])], 1.0));
+    fluid.add_outlet(Outlet { absorbing: false, ..Outlet::absorbing(opening(LENGTH)) }).unwrap();
+    let parallel = Parallel::serial();
+    let mut expected = 1.0;
+    while fluid.time() < 0.5 {
+        let dt = fluid.begin_step(&parallel).unwrap();
+        fluid.finish_step(&parallel, dt);
+        // All of the push comes in a step that is a hundred times as short as the one before and after it.
+        let short = 0.01 * fluid.begin_step(&parallel).unwrap();
+        fluid.add_acceleration(&parallel, |_| Vector::from([PUSH / short, 0.0]));
+        fluid.finish_step(&parallel, short);
+        expected += PUSH;
+    }
+    assert!(expected > 1.1, "{expected}");
+    let FluidParticles { position, velocity, .. } = fluid.particles();
+    let beyond = position.iter().zip(velocity).filter(|(r, _)| r.x > LENGTH);
+    let off: Vec<f64> = beyond.map(|(_, u)| (u.x - expected).abs()).collect();
+    assert!(off.len() >= 60, "{}", off.len());
+    // They learn of a push a step later.
+    let largest = off.into_iter().fold(0.0, f64::max);
+    assert!(largest < 3.0 * PUSH, "{largest:e}");
+}
+
 /// Fluid that goes to the right at one metre a second from `lower` on, `counts` spacings.
 fn under_way(bodies: &[([f64; 2], [usize; 2])], speed: f64) -> FluidParticles<f64, 2> {
     let places = bodies.iter().flat_map(|(lower, counts)| lattice(*lower, *counts, L0)).collect();
@@ -196,6 +223,24 @@ fn an_outlet_bears_the_weight_of_the_fluid() {
     let energy = inside.map(|(u, _)| u.norm_squared()).sum::<f64>() / 200.0;
     assert!(energy.sqrt() < 0.05 * (9.81 * HEIGHT).sqrt(), "{}", energy.sqrt());
     assert_eq!(fluid.passed(), [0, 0]);
+}
+
+/// Who measures the packing before everything has been added gets it anew afterwards.
+#[test]
+fn the_packing_knows_of_an_inlet_that_came_after_it_was_measured() {
+    let measured = |before: bool| {
+        let mut fluid = free(under_way(&[([0.0, 0.0], [10, 10])], 1.0));
+        if before {
+            fluid.measure_packing(&Parallel::serial()).unwrap();
+        }
+        fluid.add_inlet(Inlet::new(opening(0.0), |_, _| 1.0)).unwrap();
+        fluid.measure_packing(&Parallel::serial()).unwrap();
+        let mut packing: Vec<_> =
+            fluid.particles().id.iter().zip(fluid.packing()).map(|(id, p)| (*id, p.to_bits())).collect();
+        packing.sort_unstable();
+        packing
+    };
+    assert_eq!(measured(true), measured(false));
 }
 
 /// A developed profile goes through unchanged and has its pressure gradient.
