@@ -8,6 +8,9 @@ use mps_solid::{ConstitutiveModel, Solid};
 use std::any::Any;
 use std::error::Error;
 
+/// Largest share of the border of its own stability that a sub-step takes ([`Structure::max_step`]).
+const LARGEST_SHARE: f64 = 0.8;
+
 /// An elastic solid in a scene.
 pub struct ElasticBody<T, const D: usize, M, K = WendlandC2>
 where
@@ -34,6 +37,11 @@ where
     pub fn solid(&self) -> &Solid<T, D, M, K> {
         &self.solid
     }
+
+    /// The solid, between steps of the scene: to move its supports, or to measure its stability anew after it has been stretched.
+    pub fn solid_mut(&mut self) -> &mut Solid<T, D, M, K> {
+        &mut self.solid
+    }
 }
 
 impl<T, const D: usize, M, K> Structure<T, D> for ElasticBody<T, D, M, K>
@@ -59,8 +67,14 @@ where
         self.solid.spacing().max()
     }
 
+    fn spacings(&self) -> Vector<T, D> {
+        *self.solid.spacing()
+    }
+
     fn max_step(&self, parallel: &Parallel) -> T {
-        self.solid.max_step(parallel)
+        // More than this share would leave no room for the spring of the fluid.
+        let share = (T::of(LARGEST_SHARE) / self.solid.config().cfl).min(T::one());
+        self.solid.max_step(parallel) * share
     }
 
     fn advance(

@@ -45,15 +45,50 @@ pub enum CouplingError {
     },
     /// The structure's fields do not fit together.
     #[error(
-        "structure {index} shows {positions} positions but {volumes} volumes: one of each per point is needed"
+        "structure {index} shows {positions} positions but {got} {what}: one of each per point is needed, before its first step too"
     )]
     Lengths {
         /// Number of the structure in the scene.
         index: usize,
         /// Number of positions.
         positions: usize,
-        /// Number of volumes.
-        volumes: usize,
+        /// What it shows another number of.
+        what: &'static str,
+        /// That number.
+        got: usize,
+    },
+    /// A point of a structure stands for no volume.
+    #[error("a point of structure {index} has a volume of {volume:e}: it must be positive and finite")]
+    Volume {
+        /// Number of the structure in the scene.
+        index: usize,
+        /// The volume \[m^D\].
+        volume: f64,
+    },
+    /// The points of a structure lie closer than its spacing says, so that its surface cannot be told from its inside.
+    #[error(
+        "the points of a structure lie closer than its spacing of {spacing:?} m says, with {density:.2} times the number density of that lattice: \
+         its surface would not be found; give the distance between neighbouring points along each axis (`Structure::spacings`)"
+    )]
+    Crowded {
+        /// Spacing along each axis \[m\].
+        spacing: Vec<f64>,
+        /// Largest number density over that of the lattice \[-\].
+        density: f64,
+    },
+    /// A step without length was asked for.
+    #[error("a step of at most {longest:e} s was asked for: it must be longer than zero")]
+    Step {
+        /// Longest step allowed \[s\].
+        longest: f64,
+    },
+    /// A step has failed, and its state is no start for another one.
+    #[error(
+        "the step from t = {time:e} s has failed, and fluid and structures stand at different times: restore a saved state, or build the scene anew"
+    )]
+    Broken {
+        /// Time at the start of the step \[s\].
+        time: f64,
     },
     /// Structures must be added before the first step.
     #[error("structures must be added before the first step; {steps} steps have been done")]

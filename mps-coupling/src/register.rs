@@ -12,6 +12,8 @@ use mps_neighbors::{Cells, Open, Parallel, Rows};
 const WETTED_BY_MORE_THAN: usize = 2;
 /// Radius of the surface search over the spacing of the structure.
 const RADIUS_RATIO: f64 = 2.1;
+/// Number density over that of the lattice beyond which the spacing is wrong. Bodies whose particles have been fitted to their outline stay below.
+const CROWDED: f64 = 1.3;
 /// Neighbours whose mean direction is a smaller share of their mean distance stand on all sides alike; the rest is round-off.
 const NO_SIDE: f64 = 1e-3;
 
@@ -36,37 +38,47 @@ impl<T: Real, const D: usize> Interface<T, D> {
     /// of a full lattice and a gap between neighbours of their own structure of more than a quarter of the full angle, in
     /// space of the full solid angle. Points behind an inner edge have none.
     ///
+    /// `spacing` is the distance between neighbouring points along each axis \[m\]: density and gap are those of the lattice that is drawn
+    /// out to the largest of them, or the points of a denser axis would take the place of those that are missing beyond a face.
+    ///
     /// Material neighbours stay neighbours, so this is done once; normals follow the motion.
     ///
     /// # Errors
-    /// If a position is not finite.
+    /// If a position is not finite, or the points lie much closer than the spacing says.
     pub fn register(
         parallel: &Parallel,
         positions: &[Vector<T, D>],
-        spacing: T,
+        spacing: &Vector<T, D>,
         fluid_radius: T,
     ) -> Result<Self, CouplingError> {
-        let radius = spacing * T::of(RADIUS_RATIO);
+        let largest = spacing.max();
+        let radius = largest * T::of(RADIUS_RATIO);
+        // With equal spacings the factors are exactly one.
+        let stretch = spacing.map(|along| largest / along);
+        let drawn: Vec<_> = positions.iter().map(|r| r.component_mul(&stretch)).collect();
         let mut cells = Cells::new();
-        cells.build(parallel, &Open, positions, radius)?;
+        cells.build(parallel, &Open, &drawn, radius)?;
         let mut rows = Rows::default();
-        rows.build_within(parallel, &Open, &cells, positions, radius)?;
+        rows.build_within(parallel, &Open, &cells, &drawn, radius)?;
 
         let len = positions.len();
         let density: Vec<T> = (0..len)
             .map(|i| {
-                let weight =
-                    |j: &u32| WendlandC2.weight((positions[*j as usize] - positions[i]).norm(), radius);
+                let weight = |j: &u32| WendlandC2.weight((drawn[*j as usize] - drawn[i]).norm(), radius);
                 rows.row(i).iter().map(weight).fold(T::zero(), |a, b| a + b)
             })
             .collect();
         // Of the lattice, not of the densest point: a plate two points thick has no inside to compare with.
-        let lattice = ReferenceDensity::lattice::<_, D>(&WendlandC2, spacing, radius)?;
+        let lattice = ReferenceDensity::lattice::<_, D>(&WendlandC2, largest, radius)?;
+        let densest = density.iter().fold(T::zero(), |most, n| most.max(*n)) / lattice.n0;
+        if densest > T::of(CROWDED) {
+            let spacing = spacing.iter().map(|l| l.to_double()).collect();
+            return Err(CouplingError::Crowded { spacing, density: densest.to_double() });
+        }
         let full = lattice.n0 * T::of(DENSITY_LIMIT);
         let surface: Vec<bool> = (0..len)
             .map(|i| {
-                let around: Vec<_> =
-                    rows.row(i).iter().map(|&j| positions[j as usize] - positions[i]).collect();
+                let around: Vec<_> = rows.row(i).iter().map(|&j| drawn[j as usize] - drawn[i]).collect();
                 let lean = around.iter().fold(Vector::zeros(), |a: Vector<T, D>, r| a + r);
                 density[i] < full && has_gap(&around, &lean, GAP_LIMIT)
             })

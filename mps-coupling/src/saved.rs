@@ -13,8 +13,16 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// There is a state between two steps only: the sub-steps of the structures belong to the step of the fluid around them. After a step that
     /// failed saving is refused, and where a structure has no [`transfer`](crate::Structure::transfer).
     pub fn transfer(&mut self, parallel: &Parallel, transfer: &mut Transfer<'_>) {
-        let Self { fluid, bodies, budget, substeps, audit_interval: _, min_substeps: _, max_substeps: _ } =
-            self;
+        let Self {
+            fluid,
+            bodies,
+            budget,
+            substeps,
+            broken,
+            audit_interval: _,
+            min_substeps: _,
+            max_substeps: _,
+        } = self;
         transfer.within("fluid", |transfer| fluid.transfer(parallel, transfer));
         transfer.same("structures", bodies.len());
         for (index, body) in bodies.iter_mut().enumerate() {
@@ -24,6 +32,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let mut taken = *substeps as u64;
         transfer.value("sub-steps", &mut taken);
         *substeps = taken as usize;
+        // A state that can be saved is one that is whole.
+        *broken &= !(transfer.is_restoring() && transfer.is_good());
     }
 }
 
@@ -62,7 +72,7 @@ impl<T: Real, const D: usize> Budget<T, D> {
     }
 }
 
-impl<T: Real, const D: usize> Handed<T, D> {
+impl<const D: usize> Handed<D> {
     fn transfer(&mut self, transfer: &mut Transfer<'_>) {
         let Self { push, work, off_line, size } = self;
         transfer_push("handed", push, transfer);
@@ -73,7 +83,7 @@ impl<T: Real, const D: usize> Handed<T, D> {
     }
 }
 
-fn transfer_push<T: Real, const D: usize>(name: &str, push: &mut Push<T, D>, transfer: &mut Transfer<'_>) {
+fn transfer_push<const D: usize>(name: &str, push: &mut Push<f64, D>, transfer: &mut Transfer<'_>) {
     let Push { force, moment } = push;
     transfer.within(name, |transfer| {
         transfer.value("impulse", force);

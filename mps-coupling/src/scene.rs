@@ -1,7 +1,7 @@
 //! The nested time loop: a fluid and the structures it pushes.
 
 use crate::budget::SubStep;
-use crate::{Budget, CouplingError, Handed, Interface, Structure, StructureEnergy};
+use crate::{Budget, CouplingError, Handed, Inertia, Interface, Structure, StructureEnergy};
 use core::ops::Range;
 use mps_fluid::{Fluid, FluidEnergy, Push, Slip, Viscosity};
 use mps_kernel::weights::Rational;
@@ -62,6 +62,8 @@ pub struct Scene<
     pub(crate) bodies: Vec<Body<T, D>>,
     pub(crate) budget: Budget<T, D>,
     pub(crate) substeps: usize,
+    /// A step has failed after somebody had moved.
+    pub(crate) broken: bool,
     /// The two sides of the interface are compared every so many steps; 0 never. Default 100.
     pub audit_interval: u64,
     /// Sub-steps of the structures in one fluid step at least. Default 1. More are taken where a structure's own limit or the fluid at its
@@ -79,6 +81,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             bodies: Vec::new(),
             budget: Budget::default(),
             substeps: 0,
+            broken: false,
             min_substeps: 1,
             audit_interval: 100,
             max_substeps: 2000,
@@ -87,9 +90,12 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
     /// Adds a structure: registers its surface and shows its points to the fluid as one more wall.
     ///
+    /// The law of the wall ([`Slip::Law`]) is held over the step, which is right for rigid and slow bodies; what bends is better
+    /// off without ([`Slip::None`] follows the sub-steps).
+    ///
     /// # Errors
-    /// If the fields of the structure differ in length, a position is not finite, or the scene has
-    /// already begun.
+    /// If the fields of the structure differ in length, a position is not finite or a volume not positive, the spacing does not belong to
+    /// the positions, or the scene has already begun.
     pub fn add_structure(
         &mut self,
         parallel: &Parallel,
@@ -100,12 +106,10 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if self.fluid.steps() > 0 {
             return Err(CouplingError::TooLate { steps: self.fluid.steps() });
         }
+        check_fields(index, &*structure)?;
         let (positions, volumes) = (structure.positions(), structure.volumes());
-        if positions.len() != volumes.len() {
-            return Err(CouplingError::Lengths { index, positions: positions.len(), volumes: volumes.len() });
-        }
         let radius = self.fluid.reference().radius;
-        let interface = Interface::register(parallel, positions, structure.spacing(), radius)?;
+        let interface = Interface::register(parallel, positions, &structure.spacings(), radius)?;
         let volume = self.fluid.config().particle_volume();
         let shown = |i: &u32| *i as usize;
         let points: Vec<_> = interface.visible.iter().map(|i| positions[shown(i)]).collect();
@@ -124,9 +128,28 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// One step of the fluid, at most `longest` \[s\], with its sub-steps of the structures.
     /// Returns its length \[s\].
     ///
+    /// Whoever steps to given times has to leave out what is left by rounding: velocities are displacements over steps, and in a
+    /// step of 1e-16 s those are nothing but rounding.
+    ///
     /// # Errors
-    /// If the fluid or a structure cannot go on.
+    /// If `longest` is not greater than zero: nothing has changed then. If the fluid or a structure cannot go on: fluid and structures stand
+    /// at different times then, to be looked at, and every further step is refused until a saved state is restored
+    /// ([`transfer`](Self::transfer)).
     pub fn step(&mut self, parallel: &Parallel, longest: T) -> Result<T, CouplingError> {
+        // NaN takes this branch.
+        if !(longest > T::zero()) {
+            return Err(CouplingError::Step { longest: longest.to_double() });
+        }
+        if self.broken {
+            return Err(CouplingError::Broken { time: self.fluid.time().to_double() });
+        }
+        self.broken = true;
+        let dt = self.whole_step(parallel, longest)?;
+        self.broken = false;
+        Ok(dt)
+    }
+
+    fn whole_step(&mut self, parallel: &Parallel, longest: T) -> Result<T, CouplingError> {
         let dt = self.fluid.begin_step(parallel)?.min(longest);
         if self.audit_interval > 0 && self.fluid.steps().is_multiple_of(self.audit_interval) {
             self.audit(parallel);
@@ -135,7 +158,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let at_start = self.budget.fluid.map(|_| self.fluid.push_by_structures(parallel, &center));
         self.advance_structures(parallel, dt)?;
         if let (Some(fluid), Some(at_start)) = (&mut self.budget.fluid, at_start) {
-            *fluid += (at_start + self.fluid.push_since(&center)) * dt;
+            *fluid += (at_start + self.fluid.push_since(&center)).to_double() * dt.to_double();
         }
         self.fluid.finish_step(parallel, dt);
         for body in &self.bodies {
@@ -245,12 +268,20 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         self.bodies.get(index).map(|body| &*body.structure)
     }
 
+    /// The same, between steps, to change its supports or to have its stability measured anew: what an
+    /// [`ElasticBody`](crate::ElasticBody) holds is found by `(structure as &mut dyn Any).downcast_mut()`. The number of its points and, beyond
+    /// what it moves in a sub-step, their places must stay.
+    pub fn structure_mut(&mut self, index: usize) -> Option<&mut dyn Structure<T, D>> {
+        self.bodies.get_mut(index).map(|body| &mut *body.structure)
+    }
+
     /// Surface, normals and wetted points of structure number `index`.
     pub fn interface(&self, index: usize) -> Option<&Interface<T, D>> {
         self.bodies.get(index).map(|body| &body.interface)
     }
 
-    /// Forces of the fluid on the points of structure number `index` in the last step \[N\].
+    /// Forces of the fluid on the points of structure number `index` in the last sub-step \[N\]. What it has been handed in a step is the
+    /// difference of [`Budget::handed`] before and after it.
     pub fn forces(&self, index: usize) -> Option<&[Vector<T, D>]> {
         self.bodies.get(index).map(|body| body.force.as_slice())
     }
@@ -286,4 +317,25 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         }
         (self.fluid.energy(parallel), sum)
     }
+}
+
+/// Refuses a structure whose fields do not fit together.
+fn check_fields<T: Real, const D: usize>(
+    index: usize,
+    structure: &dyn Structure<T, D>,
+) -> Result<(), CouplingError> {
+    let positions = structure.positions().len();
+    let mut lengths = vec![("volumes", structure.volumes().len())];
+    lengths.push(("mean velocities", structure.mean_velocities().len()));
+    if let Inertia::Points(masses) = structure.inertia() {
+        lengths.push(("masses", masses.len()));
+    }
+    if let Some((what, got)) = lengths.into_iter().find(|(_, got)| *got != positions) {
+        return Err(CouplingError::Lengths { index, positions, what, got });
+    }
+    let unusable = |volume: &&T| !(**volume > T::zero() && volume.is_finite());
+    if let Some(volume) = structure.volumes().iter().find(unusable) {
+        return Err(CouplingError::Volume { index, volume: volume.to_double() });
+    }
+    Ok(())
 }

@@ -13,7 +13,7 @@ pub struct StructureEnergy<T> {
     pub kinetic: T,
     /// Energy of deformation.
     pub strain: T,
-    /// Energy in the field of gravity, relative to the origin.
+    /// Energy in the field of gravity, over that of a place that stays: the origin, or where the body was undeformed.
     pub potential: T,
 }
 
@@ -42,12 +42,12 @@ pub type Momenta<T, const D: usize> = Push<T, D>;
 ///
 /// A structure shows itself as points that fill its volume, at least as deep as the effective
 /// radius of the fluid below its wetted surface. Everything is in SI units, per metre of depth in 2D.
-pub trait Structure<T: Real, const D: usize>: Send + Sync {
+pub trait Structure<T: Real, const D: usize>: Any + Send + Sync {
     /// Positions of the points \[m\]. Their number and order never change.
     fn positions(&self) -> &[Vector<T, D>];
 
     /// Mean velocities of the points over the last [`advance`](Structure::advance) \[m/s\]:
-    /// displacement over time step. The fluid closes its continuity equation with them, so that
+    /// displacement over time step, zeros before the first. The fluid closes its continuity equation with them, so that
     /// the work it loses is the work the structure gains.
     fn mean_velocities(&self) -> &[Vector<T, D>];
 
@@ -56,6 +56,11 @@ pub trait Structure<T: Real, const D: usize>: Send + Sync {
 
     /// Distance between neighbouring points \[m\].
     fn spacing(&self) -> T;
+
+    /// The same along each axis of the undeformed structure \[m\], where they differ: the surface is looked for in spacings.
+    fn spacings(&self) -> Vector<T, D> {
+        Vector::repeat(self.spacing())
+    }
 
     /// Longest sub-step the structure can take in its present state \[s\]; infinite if any. Not more than 0.8 of the border of its own
     /// stability, so that the spring of the fluid has room beside it.

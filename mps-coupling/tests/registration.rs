@@ -3,8 +3,8 @@
 
 mod common;
 
-use common::lattice;
-use mps_coupling::{Fixed, Interface, Scene};
+use common::{lattice, rubber};
+use mps_coupling::{CouplingError, Fixed, Interface, Scene, Structure};
 use mps_fluid::{Boundary, Fluid, FluidConfig, FluidParticles, Slip};
 use mps_kernel::Vector;
 use mps_kernel::weights::Rational;
@@ -18,7 +18,7 @@ fn registered<const D: usize>(
     inside: impl Fn(&Vector<f64, D>) -> bool,
 ) -> (Vec<Vector<f64, D>>, Interface<f64, D>) {
     let points: Vec<_> = lattice([0.0; D], counts, L0).into_iter().filter(|r| inside(&(r / L0))).collect();
-    let interface = Interface::register(&Parallel::serial(), &points, L0, 3.1 * L0).unwrap();
+    let interface = Interface::register(&Parallel::serial(), &points, &Vector::repeat(L0), 3.1 * L0).unwrap();
     (points, interface)
 }
 
@@ -29,6 +29,54 @@ fn sides<const D: usize>(r: &Vector<f64, D>, counts: [usize; D]) -> Vector<f64, 
         k if k + 1 == counts[axis] => 1.0,
         _ => 0.0,
     })
+}
+
+/// A box whose points lie closer along some axes than along others.
+fn a_stretched_box_is_found<const D: usize>(counts: [usize; D], spacing: [f64; D]) {
+    let upper = core::array::from_fn(|axis| counts[axis] as f64 * spacing[axis]);
+    let body = rubber([0.0; D], upper, counts, &[], 1e6);
+    let points = body.positions();
+    let serial = Parallel::serial();
+    let interface = Interface::register(&serial, points, &body.spacings(), 3.1 * body.spacing()).unwrap();
+    for (i, r) in points.iter().enumerate() {
+        let at = |axis: usize| (r[axis] / spacing[axis]) as usize;
+        let sides = Vector::<f64, D>::from_fn(|axis, _| match at(axis) {
+            0 => -1.0,
+            k if k + 1 == counts[axis] => 1.0,
+            _ => 0.0,
+        });
+        let kind = sides.iter().filter(|side| **side != 0.0).count();
+        assert_eq!(interface.surface[i], kind > 0, "{spacing:?}: {sides}");
+        let clear = (0..D).all(|axis| sides[axis] != 0.0 || (2..counts[axis] - 2).contains(&at(axis)));
+        if kind == 1 && clear {
+            let defect = (interface.normal[i] - sides).norm();
+            assert!(defect < 1e-12, "{spacing:?}, {sides}: {}", interface.normal[i]);
+        }
+    }
+}
+
+/// A plate whose thickness is no whole number of its spacings once had no surface, and the water ran through it.
+#[test]
+fn boxes_of_unequal_spacings_have_the_surface_of_those_of_equal_ones() {
+    for thin in [0.9, 0.8, 0.6, 0.3] {
+        a_stretched_box_is_found([20, 6], [L0, thin * L0]);
+        a_stretched_box_is_found([20, 2], [L0, thin * L0]);
+        a_stretched_box_is_found([9, 8, 7], [L0, thin * L0, L0]);
+        a_stretched_box_is_found([9, 8, 3], [L0, thin * L0, thin * L0]);
+    }
+}
+
+#[test]
+fn a_spacing_that_is_not_that_of_the_points_is_refused() {
+    let points = lattice([0.0; 2], [12, 9], L0);
+    let register = |spacing: [f64; 2]| {
+        Interface::register(&Parallel::serial(), &points, &Vector::from(spacing), 3.1 * L0)
+    };
+    for wrong in [[1.5 * L0; 2], [L0, 1.5 * L0]] {
+        let error = register(wrong).unwrap_err();
+        assert!(matches!(error, CouplingError::Crowded { density, .. } if density > 1.3), "{error}");
+    }
+    assert!(register([1.01 * L0; 2]).is_ok());
 }
 
 /// Faces, edges and corners, with the normals that symmetry gives them where no other edge is near.

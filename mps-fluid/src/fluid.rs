@@ -206,7 +206,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let thinnest = T::of(0.1);
         parallel.update((position.as_mut_slice(), density.as_mut_slice()), |i, (r, n)| {
             *r = domain.wrap(*r + velocity[i] * dt);
-            *n = (*n + rate[i] * dt).max(thinnest);
+            let next = *n + rate[i] * dt;
+            // Not `max`, which would make a density of what is no number.
+            *n = if next < thinnest { thinnest } else { next };
         });
         self.advance_inlets(dt);
         self.time = self.time.after(dt);

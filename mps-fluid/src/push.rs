@@ -20,6 +20,11 @@ impl<T: Real, const D: usize> Push<T, D> {
     pub fn at(arm: &Vector<T, D>, force: &Vector<T, D>) -> Self {
         Self { force: *force, moment: Tensor::from_fn(|a, b| arm[a] * force[b] - arm[b] * force[a]) }
     }
+
+    /// The same in double precision: for sums over many steps, in which single precision loses what is added.
+    pub fn to_double(&self) -> Push<f64, D> {
+        Push { force: self.force.map(T::to_double), moment: self.moment.map(T::to_double) }
+    }
 }
 
 impl<T: Real, const D: usize> Default for Push<T, D> {

@@ -25,8 +25,9 @@ impl<T: Real, const D: usize> Body<T, D> {
     /// -1/2): what meets a uniform stress exactly everywhere but at edges, where it is off for the last two rows.
     ///
     /// # Errors
-    /// If the face is clamped.
+    /// If the face is clamped or does not exist.
     pub fn face(&self, face: Face) -> Result<Surface<T, D>, SolidError> {
+        face.check::<D>()?;
         if self.clamped.contains(&face) || self.sliding.contains(&face) {
             return Err(SolidError::ClampedFace { axis: face.axis, upper: face.upper });
         }
@@ -51,7 +52,17 @@ impl<T: Real, const D: usize> Body<T, D> {
     /// Lets the particles on a clamped face slide along it: held along its normal only, unless they lie on
     /// another clamped face. What a plane of symmetry or a roller does. Where two such faces meet both normals are
     /// held, in whatever order the faces were named.
-    pub fn slide(&mut self, face: Face) {
+    ///
+    /// # Errors
+    /// If the face was not clamped when the block was made: only then does a row of particles lie on it.
+    pub fn slide(&mut self, face: Face) -> Result<(), SolidError> {
+        face.check::<D>()?;
+        if self.sliding.contains(&face) {
+            return Ok(());
+        }
+        if !self.clamped.contains(&face) {
+            return Err(SolidError::FreeFace { axis: face.axis, upper: face.upper });
+        }
         self.clamped.retain(|other| *other != face);
         self.sliding.push(face);
         let Self { particles, clamped, sliding, lower, upper, .. } = self;
@@ -65,6 +76,7 @@ impl<T: Real, const D: usize> Body<T, D> {
                 (0..D).filter(|&axis| !normal(axis)).for_each(|axis| particles.hold(i, axis, false));
             }
         }
+        Ok(())
     }
 }
 
@@ -87,6 +99,11 @@ impl Face {
     pub const fn upper(axis: usize) -> Self {
         Self { axis, upper: true }
     }
+
+    fn check<const D: usize>(self) -> Result<(), SolidError> {
+        let axis = self.axis;
+        if axis < D { Ok(()) } else { Err(SolidError::NoSuchFace { axis, dimensions: D }) }
+    }
 }
 
 /// Fills the box from `lower` to `upper` \[m\] with `counts` particles along each axis.
@@ -102,13 +119,14 @@ impl Face {
 /// The axis with the fewest particles runs fastest, so that neighbours are near in memory.
 ///
 /// # Errors
-/// If an edge is not longer than zero or has fewer than 2 particles.
+/// If an edge is not longer than zero or has fewer than 2 particles, or a face in `clamp` does not exist.
 pub fn block<T: Real, const D: usize>(
     lower: Vector<T, D>,
     upper: Vector<T, D>,
     counts: [usize; D],
     clamp: &[Face],
 ) -> Result<Body<T, D>, SolidError> {
+    clamp.iter().try_for_each(|face| face.check::<D>())?;
     let half = T::of(0.5);
     let is_clamped = |axis, upper| clamp.contains(&Face { axis, upper });
     let mut spacing = Vector::zeros();
@@ -172,8 +190,9 @@ pub fn counts<T: Real, const D: usize>(
     core::array::from_fn(|axis| {
         let cells = (upper[axis] - lower[axis]).to_double() / spacing.to_double();
         let on_faces = clamp.iter().filter(|face| face.axis == axis).count() as f64;
-        // A float that is negative or NaN becomes 0 here.
-        ((cells + 0.5 * on_faces).round() as usize).max(2)
+        // Whole lengths between a held and a free face are halfway between two numbers: up, whatever the last bit says. A float that is
+        // negative or NaN becomes 0 here.
+        ((cells + 0.5 * on_faces + 1e-3).round() as usize).max(2)
     })
 }
 
@@ -223,13 +242,45 @@ mod tests {
         let faces = [Face::lower(0), Face::lower(1)];
         for order in [[0, 1], [1, 0]] {
             let mut body = block(Vector::<f64, 2>::zeros(), Vector::repeat(1.0), [4, 4], &faces).unwrap();
-            order.iter().for_each(|&k| body.slide(faces[k]));
+            order.iter().for_each(|&k| body.slide(faces[k]).unwrap());
             for (i, x) in body.particles.reference.iter().enumerate() {
                 for axis in 0..2 {
                     assert_eq!(body.particles.is_held(i, axis), x[axis] == 0.0, "{x} along {axis}");
                 }
             }
         }
+    }
+
+    #[test]
+    fn the_rows_of_whole_lengths_do_not_hang_on_the_last_bit() {
+        for clamp in [&[][..], &[Face::lower(0)], &[Face::lower(0), Face::upper(0)]] {
+            for cells in 3..300_u32 {
+                let length = 1e-3 * f64::from(cells);
+                let rows = (cells + clamp.len().div_ceil(2) as u32) as usize;
+                for start in [0.0, 0.2, 0.7] {
+                    let (lower, upper) = (Vector::<f64, 2>::repeat(start), Vector::repeat(start + length));
+                    assert_eq!(counts(&lower, &upper, 1e-3, clamp)[0], rows, "{cells} at {start}");
+                    let single = |x: Vector<f64, 2>| x.map(|x| x as f32);
+                    assert_eq!(
+                        counts(&single(lower), &single(upper), 1e-3, clamp)[0],
+                        rows,
+                        "{cells} at {start}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn faces_that_are_free_or_do_not_exist_cannot_be_held() {
+        let whole = |clamp: &[Face]| block(Vector::<f64, 2>::zeros(), Vector::repeat(1.0), [4, 4], clamp);
+        let mut body = whole(&[Face::lower(0)]).unwrap();
+        assert!(matches!(body.slide(Face::upper(0)), Err(SolidError::FreeFace { axis: 0, upper: true })));
+        assert!(matches!(body.slide(Face::lower(2)), Err(SolidError::NoSuchFace { axis: 2, .. })));
+        assert!(matches!(body.face(Face::lower(2)), Err(SolidError::NoSuchFace { .. })));
+        assert!(matches!(whole(&[Face::upper(2)]), Err(SolidError::NoSuchFace { .. })));
+        // Nothing but the face itself has changed.
+        assert!(body.slide(Face::lower(0)).is_ok() && body.slide(Face::lower(0)).is_ok());
     }
 
     #[test]

@@ -82,9 +82,27 @@ pub enum SolidError {
         /// Whether it is at the upper end.
         upper: bool,
     },
+    /// A face was to slide that is not held.
+    #[error(
+        "the face at the {} end of axis {axis} cannot slide, it is not clamped: name it among the clamped faces when the block is made, so that a row of particles lies on it", if *upper { "upper" } else { "lower" }
+    )]
+    FreeFace {
+        /// Axis the face is normal to.
+        axis: usize,
+        /// Whether it is at the upper end.
+        upper: bool,
+    },
+    /// A face that the body does not have.
+    #[error("axis {axis} does not exist in {dimensions} dimensions")]
+    NoSuchFace {
+        /// Axis the face would be normal to.
+        axis: usize,
+        /// Number of axes.
+        dimensions: usize,
+    },
     /// A point of the drawing has too few particles around it.
     #[error(
-        "the point {point:?} has too few particles around it: it must lie in the undeformed body or at most a spacing outside"
+        "the point {point:?} has too few particles around it: it must lie in the undeformed body or at most about half a spacing outside"
     )]
     Outside {
         /// The point \[m\].

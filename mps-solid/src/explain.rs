@@ -63,7 +63,9 @@ where
     /// [`advance`](Self::advance) that failed this is the state before it.
     pub fn explain(&self, i: usize) -> Option<Explanation<T, D>> {
         let particles = &self.particles;
-        let deformation = *particles.deformation.get(i)?;
+        particles.deformation.get(i)?;
+        // Of the positions there are: the stored one may be of before somebody has set them.
+        let deformation = self.deformation_of(i);
         let mine = self.inner_of(i);
         let pair = |pair: &mps_neighbors::FrozenPair<T, D>| {
             let j = pair.j as usize;
@@ -96,12 +98,12 @@ where
     /// The stress of the present deformation, without ageing.
     fn stress_of(&self, i: usize) -> Tensor<T, D> {
         let mut history = self.history[i];
-        self.material.first_piola(&self.particles.deformation[i], &mut history, T::zero())
+        self.material.first_piola(&self.deformation_of(i), &mut history, T::zero())
     }
 
     fn inner_of(&self, i: usize) -> InnerStress<T, D> {
-        let deformation = &self.particles.deformation[i];
+        let deformation = self.deformation_of(i);
         let volume = self.particles.volume[i];
-        InnerStress::new(&self.stress_of(i), deformation, &self.correction[i], volume, self.kappa)
+        InnerStress::new(&self.stress_of(i), &deformation, &self.correction[i], volume, self.kappa)
     }
 }

@@ -52,28 +52,64 @@ where
     K: Kernel<T>,
 {
     /// Moves the body to its equilibrium under gravity \[m/s^2\] and the loads that `load` adds to the forces on the
-    /// particles \[N\] (all zero when it is called, which is once in every step). The velocities are zero at the end;
-    /// [`time`](Self::time) stands still, and so do supports.
+    /// particles \[N\] (all zero when it is called, which is once in every step). The velocities are zero at the end and the material
+    /// has settled ([`ConstitutiveModel::settle`]); [`time`](Self::time) stands still, and so do supports.
     ///
     /// # Errors
-    /// If the equilibrium is not reached in the allowed number of steps, or a particle is turned inside out on the way.
+    /// If the equilibrium is not reached in the allowed number of steps: the body is left at rest where it has come to. If a particle is
+    /// turned inside out on the way: it is left at rest where it was.
     pub fn relax(
         &mut self,
         parallel: &Parallel,
         gravity: &Vector<T, D>,
-        mut load: impl FnMut(&SolidParticles<T, D>, &mut [Vector<T, D>]),
+        load: impl FnMut(&SolidParticles<T, D>, &mut [Vector<T, D>]),
         relaxation: &Relaxation<T>,
     ) -> Result<Settled<T>, SolidError> {
         let value = relaxation.tolerance.to_double();
         if !(value > 0.0 && value < 1.0) {
             return Err(SolidError::Parameter { name: "tolerance", must: "between 0 and 1", value });
         }
+        self.rest();
+        self.refresh(parallel)?;
+        self.settle_material(parallel)?;
+        self.keep();
+        match self.search(parallel, gravity, load, relaxation) {
+            Err(error @ (SolidError::Inverted { .. } | SolidError::NotFinite { .. })) => {
+                Err(self.take_back(parallel, error))
+            }
+            found => {
+                self.rest();
+                self.settle_material(parallel)?;
+                found
+            }
+        }
+    }
+
+    /// Takes all motion away.
+    pub(crate) fn rest(&mut self) {
+        self.particles.velocity.fill(Vector::zeros());
+        self.mean_velocity.fill(Vector::zeros());
+    }
+
+    /// Lets the material settle where the body is, whose deformations are up to date.
+    pub(crate) fn settle_material(&mut self, parallel: &Parallel) -> Result<(), SolidError> {
+        let (material, deformation) = (&self.material, &self.particles.deformation);
+        parallel.update(self.history.as_mut_slice(), |i, history| material.settle(&deformation[i], history));
+        self.refresh(parallel)
+    }
+
+    /// The way to the equilibrium.
+    fn search(
+        &mut self,
+        parallel: &Parallel,
+        gravity: &Vector<T, D>,
+        mut load: impl FnMut(&SolidParticles<T, D>, &mut [Vector<T, D>]),
+        relaxation: &Relaxation<T>,
+    ) -> Result<Settled<T>, SolidError> {
         let len = self.len();
         let mut external = vec![Vector::zeros(); len];
         let mut before: Vec<Vector<T, D>> = vec![Vector::zeros(); len];
         let mut total = before.clone();
-        self.particles.velocity.fill(Vector::zeros());
-        self.refresh(parallel)?;
         let mut residual = T::zero();
         for step in 0..relaxation.max_steps {
             external.fill(Vector::zeros());
@@ -85,7 +121,6 @@ where
             });
             residual = self.unbalanced(parallel, &total, &external, gravity);
             if residual <= relaxation.tolerance {
-                self.particles.velocity.fill(Vector::zeros());
                 return Ok(Settled { steps: step, residual });
             }
             let dt = self.max_step(parallel);
@@ -105,7 +140,7 @@ where
         Err(SolidError::NotSettled {
             steps: relaxation.max_steps,
             residual: residual.to_double(),
-            tolerance: value,
+            tolerance: relaxation.tolerance.to_double(),
         })
     }
 

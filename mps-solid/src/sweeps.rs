@@ -32,9 +32,12 @@ where
                 if determinant(&f) > T::zero() {
                     let stress = material.first_piola(&f, history, elapsed);
                     *inner = InnerStress::new(&stress, &f, &correction[i], volume[i], kappa);
-                } else {
-                    first_bad.fetch_min(i, Ordering::Relaxed);
+                    // Infinite or NaN if one of its components is, or if they are so large that their squares are.
+                    if stress.norm_squared().is_finite() {
+                        return;
+                    }
                 }
+                first_bad.fetch_min(i, Ordering::Relaxed);
             },
         );
         match first_bad.into_inner() {
@@ -48,7 +51,7 @@ where
         let (id, determinant) =
             (self.particles.id[i], determinant(&self.particles.deformation[i]).to_double());
         let position = self.particles.position[i].iter().map(|x| x.to_double()).collect();
-        if determinant.is_finite() {
+        if determinant <= 0.0 && determinant.is_finite() {
             SolidError::Inverted { id, position, determinant }
         } else {
             SolidError::NotFinite { id, position }
@@ -74,14 +77,17 @@ where
         kick: T,
         drift: T,
     ) {
+        // What damping takes in the time of a kick lies between kick and drift, on either side of the step: so it is of second order.
         let damped = self.damped(kick);
+        let (keep, push) = if drift > T::zero() { (damped, damped) } else { (damped, T::one()) };
+        let push = push * kick;
         let SolidParticles { reference, position, velocity, force, mass, held, group, .. } =
             &mut self.particles;
         let (force, mass) = (&*force, &*mass);
         let supports = Held { reference, axes: held, group, placements: &self.placements };
         parallel.update((position.as_mut_slice(), velocity.as_mut_slice()), |i, (x, u)| {
             let before = *u;
-            *u = (*u + ((force[i] + external[i]) / mass[i] + gravity) * kick) * damped;
+            *u = *u * keep + ((force[i] + external[i]) / mass[i] + gravity) * push;
             let there = *x + *u * drift;
             (*x, *u) = if supports.axes[i] == 0 {
                 (there, *u)
@@ -100,7 +106,8 @@ where
         gravity: &Vector<T, D>,
         step: T,
     ) {
-        let damped = self.damped(step);
+        let half = self.damped(step * T::of(0.5));
+        let (keep, push) = (half * half, half * step);
         let SolidParticles { reference, position, velocity, mass, held, group, .. } = &mut self.particles;
         let (mass, pairs, inner) = (&*mass, &self.pairs, &self.inner);
         let supports = Held { reference, axes: held, group, placements: &self.placements };
@@ -108,7 +115,7 @@ where
         parallel.update((velocity.as_mut_slice(), self.next.as_mut_slice()), |i, (u, next)| {
             let before = *u;
             let force = internal_force(pairs.row(i), i, here, inner);
-            *u = (*u + ((force + external[i]) / mass[i] + gravity) * step) * damped;
+            *u = *u * keep + ((force + external[i]) / mass[i] + gravity) * push;
             *next = here[i] + *u * step;
             if supports.axes[i] != 0 {
                 (*next, *u) = supports.hold(i, (&here[i], &before), (*next, *u), step);

@@ -154,3 +154,18 @@ fn what_cannot_rest_is_told() {
         assert!(matches!(error, MatrixError::Solid(SolidError::Parameter { .. })), "{error}");
     }
 }
+
+#[test]
+fn a_load_that_is_no_number_is_refused_and_moves_nothing() {
+    let parallel = Parallel::serial();
+    let mut solid = beam(4, SaintVenantKirchhoff::new(1.4e6, 0.4).unwrap());
+    let before = solid.positions().to_vec();
+    for odd in [f64::NAN, f64::INFINITY] {
+        let mut force = vec![Vector::<f64, 2>::zeros(); solid.len()];
+        force[7].y = odd;
+        let refused = Newton::default().equilibrium(&mut solid, &parallel, &force, &Vector::zeros());
+        let named = matches!(refused, Err(MatrixError::Solid(SolidError::Parameter { name: "force", .. })));
+        assert!(named, "{refused:?}");
+        assert_eq!(solid.positions(), before);
+    }
+}

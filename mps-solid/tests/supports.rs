@@ -15,7 +15,7 @@ type V = Vector<f64, 2>;
 
 fn bar(counts: [usize; 2], clamp: &[Face], slide: &[Face], nu: f64) -> Solid<f64, 2, CorotationalHooke<f64>> {
     let mut bar = body::block(V::zeros(), V::new(1.0, 0.25), counts, clamp).unwrap();
-    slide.iter().for_each(|&face| bar.slide(face));
+    slide.iter().for_each(|&face| bar.slide(face).unwrap());
     let material = CorotationalHooke::new(1.0, nu).unwrap();
     let (config, serial) = (SolidConfig::default(), Parallel::serial());
     Solid::new(bar.particles, bar.spacing, 1.0, material, WendlandC2, config, &serial).unwrap()

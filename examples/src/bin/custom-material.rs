@@ -75,6 +75,12 @@ impl<const D: usize> ConstitutiveModel<f64, D> for MooneyRivlin {
         f * (elastic + viscous) + cofactor(f) * (self.l * (j - 1.0) - 2.0 * (c1 + 2.0 * c2) / j)
     }
 
+    /// At rest: this strain, and no rate.
+    fn settle(&self, f: &Tensor<f64, D>, history: &mut Self::History) {
+        let strain = (f.transpose() * f - Tensor::identity()) * 0.5;
+        *history = [remember(&strain), Memory::default()];
+    }
+
     fn first_lame_modulus(&self) -> f64 {
         self.l + 4.0 * self.c[1]
     }

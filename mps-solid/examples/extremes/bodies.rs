@@ -22,7 +22,7 @@ pub(crate) fn block<T: Real, const D: usize, M: ConstitutiveModel<T, D>>(
         T::of(counts[axis] as f64 - 0.5 * on_faces as f64)
     });
     let mut block = body::block(Vector::zeros(), upper, counts, held)?;
-    sliding.iter().for_each(|&face| block.slide(face));
+    sliding.iter().try_for_each(|&face| block.slide(face))?;
     let config = SolidConfig { cfl: T::of(cfl), ..SolidConfig::default() };
     Ok(Solid::new(block.particles, block.spacing, T::one(), material, WendlandC2, config, &serial())?)
 }

@@ -37,6 +37,14 @@ impl<T: Real, const D: usize, M: ConstitutiveModel<T, D>> ConstitutiveModel<T, D
         self.material.shear_modulus()
     }
 
+    fn wave_speed(&self, density: T) -> T {
+        self.material.wave_speed(density)
+    }
+
+    fn settle(&self, f: &Tensor<T, D>, history: &mut Self::History) {
+        self.material.settle(f, history);
+    }
+
     fn name(&self) -> &'static str {
         self.material.name()
     }

@@ -48,6 +48,11 @@ pub trait ConstitutiveModel<T: Real, const D: usize>: Send + Sync {
     /// made of the rate in the history. Otherwise looking at a body would change its motion.
     fn first_piola(&self, f: &Tensor<T, D>, history: &mut Self::History, elapsed: T) -> Tensor<T, D>;
 
+    /// Lets the history be that of a body at rest with the deformation gradient `f`: asked for where a body is brought to its static
+    /// equilibrium, in no time, before the search and after it. A material that remembers where it was, to know how fast it moves, must
+    /// forget the way here; one that hardens with what it has been through may leave it as it is, as this does unless it is replaced.
+    fn settle(&self, _f: &Tensor<T, D>, _history: &mut Self::History) {}
+
     /// Lame's first modulus `lambda` of the undeformed material \[Pa\].
     fn first_lame_modulus(&self) -> T;
 

@@ -40,7 +40,7 @@ pub struct Equilibrium {
 
 impl Newton {
     /// Moves the body to its equilibrium under the force on every particle \[N\], which keeps size and
-    /// direction, and gravity \[m/s^2\]. Its velocities are zero then.
+    /// direction, and gravity \[m/s^2\]. Its velocities are zero then, and its material has settled ([`ConstitutiveModel::settle`]).
     ///
     /// # Errors
     /// If the length of `force` or a field of `self` is unusable or nothing can move (nothing has changed then),
@@ -61,8 +61,14 @@ impl Newton {
         let mut stiffness = Stiffness::new(solid)?;
         stiffness.freedoms.check("force", force)?;
         solid.refresh(parallel)?;
+        solid.settle_material(parallel)?;
         let load = stiffness.freedoms.gather(|i, axis| force[i][axis] + solid.masses()[i] * gravity[axis]);
         let start = imbalance(&stiffness, solid, &load);
+        let size = norm(&load) + norm(&start);
+        if !size.is_finite() {
+            let (must, value) = ("finite on every particle", size);
+            return Err(SolidError::Parameter { name: "force", must, value }.into());
+        }
         let size = norm(&load).max(norm(&start));
         let mut found = Equilibrium { iterations: 0, parts: 0, residual: 0.0 };
         let (mut factor, mut part) = (0.0, 1.0_f64);
@@ -85,14 +91,16 @@ impl Newton {
                     found.iterations += failure.iterations;
                     part *= 0.5;
                     if part < self.smallest {
-                        rest(solid);
+                        solid.rest();
+                        solid.settle_material(parallel)?;
                         let Failure { residual, reason, .. } = failure;
                         return Err(MatrixError::NoEquilibrium { factor, residual, reason });
                     }
                 }
             }
         }
-        rest(solid);
+        solid.rest();
+        solid.settle_material(parallel)?;
         Ok(found)
     }
 
@@ -167,12 +175,4 @@ where
 
 fn norm(x: &[f64]) -> f64 {
     x.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
-
-fn rest<const D: usize, M, K>(solid: &mut Solid<f64, D, M, K>)
-where
-    M: ConstitutiveModel<f64, D>,
-{
-    solid.particles.velocity.fill(Vector::zeros());
-    solid.mean_velocity.fill(Vector::zeros());
 }

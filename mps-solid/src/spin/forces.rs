@@ -89,7 +89,8 @@ impl<T: Real> SpinSolid<T> {
             if self.particles.is_clamped(i) {
                 (*u, *spin) = (Vector::zeros(), T::zero());
             } else {
-                *u += self.particles.only_free(i, ((force[i] + external[i]) / mass[i] + gravity) * step);
+                let moved = *u + ((force[i] + external[i]) / mass[i] + gravity) * step;
+                *u = self.particles.only_free(i, moved);
                 *spin += self.torque[i] / self.inertia(i) * step;
             }
         });

@@ -28,7 +28,7 @@ pub(crate) fn block<T: Real, const D: usize, M: ConstitutiveModel<T, D>>(
     let on = |axis| rollers.iter().filter(|face| face.axis == axis).count() as f64;
     let upper = Vector::<T, D>::from_fn(|axis, _| T::of(counts[axis] as f64 - 0.5 * on(axis)));
     let mut block = body::block(Vector::zeros(), upper, counts, rollers).unwrap();
-    rollers.iter().for_each(|&face| block.slide(face));
+    rollers.iter().for_each(|&face| block.slide(face).unwrap());
     let config = SolidConfig { cfl: T::of(cfl), ..SolidConfig::default() };
     let serial = Parallel::serial();
     Solid::new(block.particles, block.spacing, T::of(density), material, WendlandC2, config, &serial).unwrap()

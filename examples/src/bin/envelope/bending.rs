@@ -37,7 +37,7 @@ impl Beam {
         let along = (LENGTH * self.across as f64 / self.aspect).round() as usize;
         let (lower, upper) = (Vector::from([0.0, -0.5]), Vector::from([LENGTH, 0.5]));
         let mut body = block(lower, upper, [along, self.across], &[Face::lower(0)])?;
-        body.slide(Face::lower(0));
+        body.slide(Face::lower(0))?;
         let material = SaintVenantKirchhoff::new(1.0, self.poisson)?;
         let config = SolidConfig::default();
         let mut solid =

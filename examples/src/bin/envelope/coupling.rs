@@ -93,7 +93,7 @@ fn bed(stiffness: f64) -> Result<Column, Failure> {
     let held = [sides[0], sides[1], Face::lower(1)];
     let lower = Vector::from([0.0, -(THICK as f64) * L0]);
     let mut body = block(lower, Vector::from([WIDTH, 0.0]), [COLUMNS + 1, THICK], &held)?;
-    sides.into_iter().for_each(|side| body.slide(side));
+    sides.into_iter().try_for_each(|side| body.slide(side))?;
     // For nu = 1/4 the modulus is 6/5 of Young's.
     let material = SaintVenantKirchhoff::new(stiffness * RHO * GRAVITY * depth / 1.2, 0.25)?;
     let (config, parallel) = (SolidConfig::default(), Parallel::serial());

@@ -35,7 +35,7 @@ impl Case for Stretch {
     fn run(&self, n: usize, _: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {
         let faces = [Face::lower(0), Face::lower(1)];
         let mut square = block(V::zeros(), V::repeat(1.0), [n, n], &faces)?;
-        faces.iter().for_each(|&face| square.slide(face));
+        faces.iter().try_for_each(|&face| square.slide(face))?;
         let law = NeoHookean::new(1.0, 0.3)?;
         let mut body = solid(&square, 1.0, law, parallel)?;
         let right = square.face(Face::upper(0))?;
