@@ -111,6 +111,13 @@ const IN_THE_CHANNEL: &[Mistake] = &[
          begin where it touches the disc: rows are stretched by a fifth at most",
     ),
     (
+        "a clamp between two rows",
+        "clamp = { disc = { center = [0.2, 0.2], radius = 0.05 } }",
+        "clamp = { region = { box = { lower = [0.25, 0.19], upper = [0.2505, 0.21] } } }",
+        "scene.toml:64:20: solids[0].clamp.region holds no particle: let the region cover the middle of at least one row of \
+         particles, or hold a side of a box",
+    ),
+    (
         "a flag that moves in the cylinder",
         "clamp = { disc = { center = [0.2, 0.2], radius = 0.05 } }",
         "clamp = { disc = { center = [0.2, 0.2], radius = 0.045 } }",

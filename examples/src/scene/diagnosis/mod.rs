@@ -48,6 +48,7 @@ pub(in crate::scene) fn diagnose<const D: usize>(
     let mut found = Diagnosis::default();
     thickness(scene, source, &mut found);
     speeds(scene, source, layout, &mut found);
+    clamps(scene, source, layout, &mut found);
     support(scene, source, layout, &mut found);
     let subject = Subject { scene, source, layout, parallel };
     contacts(&subject, &mut found)?;
@@ -142,6 +143,23 @@ fn speeds<const D: usize>(scene: &SceneFile, source: &Source, layout: &Layout<D>
     }
 }
 
+/// Number of particles of a body that are held.
+fn held<const D: usize>(points: &[(Place<D>, bool)]) -> usize {
+    points.iter().filter(|(_, held)| *held).count()
+}
+
+/// A region that holds nothing leaves its body as free as none, whatever pulls at it.
+fn clamps<const D: usize>(scene: &SceneFile, source: &Source, layout: &Layout<D>, found: &mut Diagnosis) {
+    for (k, (solid, points)) in scene.solids.iter().zip(&layout.solids).enumerate() {
+        if held(points) == 0 && matches!(solid.clamp, Some(Clamp::Region(_))) {
+            let remedy =
+                "let the region cover the middle of at least one row of particles, or hold a side of a box";
+            let key = format!("solids[{k}].clamp.region");
+            found.refusals.push(source.problem(&key, "holds no particle", remedy));
+        }
+    }
+}
+
 /// Fluid and bodies that nothing keeps from falling out of the scene.
 fn support<const D: usize>(scene: &SceneFile, source: &Source, layout: &Layout<D>, found: &mut Diagnosis) {
     if !matches!(scene.gravity.as_slice(), [0.0, down] | [0.0, down, 0.0] if *down < 0.0) {
@@ -173,18 +191,10 @@ fn support<const D: usize>(scene: &SceneFile, source: &Source, layout: &Layout<D
         }
     }
     for (k, (solid, points)) in scene.solids.iter().zip(&layout.solids).enumerate() {
-        let held = points.iter().filter(|(_, held)| *held).count();
-        let key = format!("solids[{k}]");
-        if held == 0 && matches!(solid.clamp, Some(Clamp::Region(_))) {
-            let remedy =
-                "let the region cover the middle of at least one row of particles, or hold a side of a box";
-            found.refusals.push(source.problem(&format!("{key}.clamp.region"), "holds no particle", remedy));
-        } else if held == 0 && scene.fluid.is_none() {
-            found.warnings.push(source.problem(
-                &key,
-                "is held nowhere",
-                "it falls: add a clamp, or leave gravity out",
-            ));
+        let refused = matches!(solid.clamp, Some(Clamp::Region(_)));
+        if held(points) == 0 && !refused && scene.fluid.is_none() {
+            let remedy = "it falls: add a clamp, or leave gravity out";
+            found.warnings.push(source.problem(&format!("solids[{k}]"), "is held nowhere", remedy));
         }
     }
 }
