@@ -236,8 +236,8 @@ const MISTAKES: &[Mistake] = &[
         "a gate too thin for the water",
         "upper = [0.212, 0.16]",
         "upper = [0.207, 0.16]",
-        "scene.toml:24:10: solids[0].region is 1.75 particles of the fluid thick and needs at least 2: make it thicker, or give \
-         fluid.spacing at most 3.500e-3",
+        "scene.toml:24:10: solids[0].region is 1.75 particles of the fluid thick and needs at least 3: make it thicker, or give \
+         fluid.spacing at most 2.333e-3",
     ),
     (
         "a corner too sharp for a wall",
@@ -309,6 +309,13 @@ fn what_is_doubtful_is_a_warning() {
             "lower = [0.212, 0.0]",
             "lower = [0.22, 0.0]",
             "fluid.bodies[1].region leaves a gap of 8.00e-3 m to gate",
+        ),
+        (
+            SCENE,
+            "a gate that hardly parts the waters",
+            "upper = [0.212, 0.16]",
+            "upper = [0.208, 0.16]",
+            "solids[0].region is 2.00 particles of the fluid thick and needs at least 3",
         ),
         (
             SCENE,

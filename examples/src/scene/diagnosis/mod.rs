@@ -5,22 +5,20 @@ mod contacts;
 mod friction;
 mod openings;
 mod part;
+mod thickness;
 
 use super::Layout;
 use super::lattice::Place;
 use crate::Failure;
 use bodies::bodies_apart;
 use contacts::contacts;
-use mps_io::scene_file::{Clamp, Corners, Problem, Region, SceneFile, Shape, Source};
+use mps_io::scene_file::{Clamp, Problem, SceneFile, Source};
 use mps_neighbors::Parallel;
 use openings::openings;
+use thickness::thickness;
 
 /// Mach number from which the density varies by more than four percent.
 const MACH: f64 = 0.2;
-/// Particles across a body that give its bending stiffness to some percent.
-const ACROSS: f64 = 3.5;
-/// Something thinner than this many spacings of the fluid does not part the fluid on its two sides.
-const THIN: f64 = 2.0;
 
 /// What was found.
 #[derive(Clone, Debug, Default)]
@@ -46,7 +44,7 @@ pub(in crate::scene) fn diagnose<const D: usize>(
     parallel: &Parallel,
 ) -> Result<Diagnosis, Failure> {
     let mut found = Diagnosis::default();
-    thickness(scene, source, &mut found);
+    thickness(scene, source, layout, &mut found);
     speeds(scene, source, layout, &mut found);
     clamps(scene, source, layout, &mut found);
     support(scene, source, layout, &mut found);
@@ -65,46 +63,6 @@ struct Subject<'a, const D: usize> {
     source: &'a Source,
     layout: &'a Layout<D>,
     parallel: &'a Parallel,
-}
-
-/// Length of the shortest side of the box around a region \[m\].
-fn thinnest(region: &Region) -> f64 {
-    let Some(Corners { lower, upper }) = region.bounds() else { return 0.0 };
-    lower.iter().zip(&upper).map(|(low, high)| high - low).fold(f64::INFINITY, f64::min)
-}
-
-fn thickness(scene: &SceneFile, source: &Source, found: &mut Diagnosis) {
-    let l0 = scene.fluid.as_ref().map_or(0.0, |fluid| fluid.spacing);
-    let mut parting = |thin: f64, key: &str| {
-        if thin < THIN * l0 * (1.0 - 1e-9) {
-            let what = format!("is {:.2} particles of the fluid thick and needs at least {THIN}", thin / l0);
-            let remedy = format!("make it thicker, or give fluid.spacing at most {:.3e}", thin / THIN);
-            found.refusals.push(source.problem(key, what, remedy));
-        }
-    };
-    for (k, wall) in scene.walls.iter().enumerate() {
-        if let Shape::Region(region) = &wall.shape {
-            parting(thinnest(region), &format!("walls[{k}].shape.region"));
-        }
-    }
-    for (k, solid) in scene.solids.iter().enumerate() {
-        parting(thinnest(&solid.region), &format!("solids[{k}].region"));
-    }
-    for (k, body) in scene.fixed.iter().enumerate() {
-        parting(thinnest(&body.region), &format!("fixed[{k}].region"));
-    }
-    for (k, solid) in scene.solids.iter().enumerate() {
-        let across = thinnest(&solid.region) / solid.spacing;
-        found.across.push(across);
-        if across < ACROSS {
-            let what = format!("makes {across:.1} particles across the thinnest side");
-            let remedy = format!(
-                "give at most {:.3e}: 4 across are usual, 8 for errors below a percent",
-                solid.spacing * across / 4.0
-            );
-            found.warnings.push(source.problem(&format!("solids[{k}].spacing"), what, remedy));
-        }
-    }
 }
 
 fn speeds<const D: usize>(scene: &SceneFile, source: &Source, layout: &Layout<D>, found: &mut Diagnosis) {
