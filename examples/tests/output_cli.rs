@@ -211,6 +211,24 @@ fn a_binary_table_has_the_numbers_of_the_text() {
     assert!(numbers(&text).columns[0].last().unwrap() >= &0.08);
 }
 
+#[test]
+fn a_run_does_not_replace_the_scene_that_somebody_wrote() {
+    let scene = tank("own directory", "");
+    let text = format!("# A remark.\n{}", std::fs::read_to_string(&scene).unwrap());
+    std::fs::write(&scene, &text).unwrap();
+    let run = ["run", scene.to_str().unwrap(), "--end-time", "0.01", "--quiet", "--no-fields"];
+    let output = execute(MPS, scene.parent().unwrap(), &run);
+    let said = words(&output.stderr);
+    assert!(!output.status.success() && said.contains("would replace its scene"), "{said}");
+    assert_eq!(std::fs::read_to_string(&scene).unwrap(), text);
+    // Under another name it may stay there.
+    let renamed = scene.with_file_name("tank.toml");
+    std::fs::rename(&scene, &renamed).unwrap();
+    let run = ["run", renamed.to_str().unwrap(), "--end-time", "0.01", "--quiet", "--no-fields"];
+    assert!(execute(MPS, scene.parent().unwrap(), &run).status.success() && scene.exists());
+    assert_eq!(std::fs::read_to_string(&renamed).unwrap(), text);
+}
+
 fn start(program: &str, dir: &Path, arguments: &[&str]) -> Child {
     let mut command = Command::new(program);
     command.args(arguments).arg("--out").arg(dir).args(["--threads", "1", "--no-fields", "--quiet"]);

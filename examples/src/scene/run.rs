@@ -18,6 +18,9 @@ use std::path::Path;
 /// Name and version that a checkpoint has to be of.
 pub(super) const PROGRAM: &str = concat!("mps ", env!("CARGO_PKG_VERSION"));
 
+/// The scene as it is run, beside its results.
+const KEPT: &str = "scene.toml";
+
 /// What is to be run, and how.
 pub(super) struct Plan<'a> {
     pub(super) scene: &'a SceneFile,
@@ -36,7 +39,7 @@ pub(super) type Origin<'a> = Option<(&'a State, &'a Path)>;
 
 /// As [`Examined::run`](super::Examined::run).
 pub(super) fn begin(
-    scene: &SceneFile,
+    (scene, file): (&SceneFile, &Path),
     layout: &AnyLayout,
     name: &str,
     common: &Common,
@@ -45,6 +48,7 @@ pub(super) fn begin(
     let mut common = common.clone();
     common.out = common.out.or_else(|| scene.output.directory.as_ref().map(Into::into));
     let dir = common.output(name)?;
+    spare(file, &dir)?;
     // A run that begins has nothing to do with what an earlier one has left here.
     let rotation = Rotation::new(checkpoints(&dir));
     rotation.clear()?;
@@ -52,6 +56,20 @@ pub(super) fn begin(
     // The scene as it is run, beside its results.
     let scene = &scene.write_to(&dir)?;
     layout.run_plan(Plan { scene, name, common: &common, end: scene.end_time, interval, rotation }, None)
+}
+
+/// Refuses to write the scene as it is run over the one that somebody wrote, with comments and a layout of its own.
+fn spare(file: &Path, dir: &Path) -> Result<(), Failure> {
+    let kept = dir.join(KEPT);
+    match (file.canonicalize(), kept.canonicalize()) {
+        (Ok(file), Ok(kept)) if file == kept => Err(format!(
+            "the run would replace its scene {} by the same with every default written out: give another --out, or another name \
+             to the scene",
+            kept.display()
+        )
+        .into()),
+        _ => Ok(()),
+    }
 }
 
 pub(super) fn run_plan<const D: usize>(
