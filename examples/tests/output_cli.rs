@@ -229,6 +229,27 @@ fn a_run_does_not_replace_the_scene_that_somebody_wrote() {
     assert_eq!(std::fs::read_to_string(&renamed).unwrap(), text);
 }
 
+/// A probe that finds nothing is refused by `check` as by `run`, which touches nothing of the run before.
+#[test]
+fn a_run_that_cannot_begin_leaves_the_one_before_alone() {
+    let scene =
+        FLOOR.replace("from = [0.05, 0.0], to = [0.15, 0.0]", "from = [0.05, 0.05], to = [0.15, 0.05]");
+    assert_ne!(scene, FLOOR);
+    let dir = run("before", "", &["--no-fields"]);
+    let file = dir.with_file_name("no point.toml");
+    std::fs::write(&file, scene).unwrap();
+    let file = file.to_str().unwrap();
+    let check = Command::new(MPS).args(["check", file]).output().unwrap();
+    let run = execute(MPS, &dir, &["run", file, "--quiet"]);
+    for output in [check, run] {
+        let said = words(&output.stderr);
+        assert!(!output.status.success() && said.contains("has no point of its body behind it"), "{said}");
+    }
+    let resumed =
+        Command::new(MPS).arg("resume").arg(&dir).args(["--end-time", "0.06", "--quiet"]).output().unwrap();
+    assert!(resumed.status.success(), "{}", words(&resumed.stderr));
+}
+
 fn start(program: &str, dir: &Path, arguments: &[&str]) -> Child {
     let mut command = Command::new(program);
     command.args(arguments).arg("--out").arg(dir).args(["--threads", "1", "--no-fields", "--quiet"]);

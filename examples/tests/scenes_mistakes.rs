@@ -211,6 +211,19 @@ const MISTAKES: &[Mistake] = &[
          undeformed body",
     ),
     (
+        "a probe between the body and what is too far",
+        "at = [0.206, 0.16]",
+        "at = [0.206, 0.1622]",
+        "scene.toml:32:51: probes[0].measure.displacement.at is [0.206, 0.1622], where \"gate\" has too few particles around: give a \
+         point in the undeformed body or on its surface",
+    ),
+    (
+        "a name that is no name of a file",
+        "name = \"left level\"",
+        "name = \"left: level\"",
+        "scene.toml:35:8: probes[1].name is \"left: level\": give it letters, digits, spaces or dashes, at most 200",
+    ),
+    (
         "sound slower than the water",
         "expected_speed = 1.6",
         "expected_speed = 0.1",

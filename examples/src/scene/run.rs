@@ -4,6 +4,7 @@ use super::dimension::AnyLayout;
 use super::fields::Fields;
 use super::keeper::Keeper;
 use super::observer::Observer;
+use super::probes::Probe;
 use super::resume::checkpoints;
 use super::watch::{Guard, PostMortem};
 use super::watched::Watched;
@@ -49,12 +50,7 @@ pub(super) fn begin(
     common.out = common.out.or_else(|| scene.output.directory.as_ref().map(Into::into));
     let dir = common.output(name)?;
     spare(file, &dir)?;
-    // A run that begins has nothing to do with what an earlier one has left here.
     let rotation = Rotation::new(checkpoints(&dir));
-    rotation.clear()?;
-    PostMortem::clear(&dir)?;
-    // The scene as it is run, beside its results.
-    let scene = &scene.write_to(&dir)?;
     layout.run_plan(Plan { scene, name, common: &common, end: scene.end_time, interval, rotation }, None)
 }
 
@@ -70,6 +66,14 @@ fn spare(file: &Path, dir: &Path) -> Result<(), Failure> {
         .into()),
         _ => Ok(()),
     }
+}
+
+/// Makes room for a run that begins, which has nothing to do with what an earlier one has left here. Returns the scene as it is
+/// beside its results.
+fn anew(scene: &SceneFile, dir: &Path, rotation: &Rotation) -> Result<SceneFile, Failure> {
+    rotation.clear()?;
+    PostMortem::clear(dir)?;
+    Ok(scene.write_to(dir)?)
 }
 
 pub(super) fn run_plan<const D: usize>(
@@ -106,8 +110,11 @@ fn whole<T: Real, const D: usize, K: Kernel<T>>(
     let parallel = common.parallel()?;
     // As at the start of the run also where it goes on: what pictures show is found from there.
     let mut world = World::<T, D, K>::new(scene, layout, weight, &parallel)?;
+    let probes = Probe::all(scene, &world)?;
     let dir = common.output(name)?;
-    let mut observer = Observer::new(&dir, scene, &world, from.is_some())?;
+    // Only what has come about so far may take the place of an earlier run.
+    let scene = &if from.is_some() { scene.clone() } else { anew(scene, &dir, &rotation)? };
+    let mut observer = Observer::new(&dir, scene, probes, from.is_some())?;
     let fields = if common.no_fields { None } else { Some(Fields::new(&dir, scene, &world)?) };
     let identity = Identity::new(PROGRAM, common.precision.name(), &scene.to_toml()?);
     let settings = [("name", name), ("fields", if common.no_fields { "no" } else { "yes" })];

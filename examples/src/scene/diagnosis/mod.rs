@@ -5,6 +5,7 @@ mod contacts;
 mod friction;
 mod openings;
 mod part;
+mod probes;
 mod thickness;
 
 use super::Layout;
@@ -15,6 +16,7 @@ use contacts::contacts;
 use mps_io::scene_file::{Clamp, Problem, SceneFile, Source};
 use mps_neighbors::Parallel;
 use openings::openings;
+use probes::probes;
 use thickness::thickness;
 
 /// Mach number from which the density varies by more than four percent.
@@ -53,6 +55,7 @@ pub(in crate::scene) fn diagnose<const D: usize>(
     openings(&subject, &mut found)?;
     friction::friction::<D>(scene, source, &mut found);
     bodies_apart(&subject, &mut found)?;
+    probes(&subject, &mut found);
     Ok(found)
 }
 
