@@ -250,6 +250,25 @@ fn a_run_that_cannot_begin_leaves_the_one_before_alone() {
     assert!(resumed.status.success(), "{}", words(&resumed.stderr));
 }
 
+/// A run with fewer results leaves none of an earlier one to be taken for its own.
+#[test]
+fn results_of_an_earlier_run_are_removed() {
+    let dir = run("again", "", &[]);
+    let left = |dir: &Path| {
+        let names = ["film.png", "fields/water.pvd", "picture_000000ms.png", "probe_level.png"];
+        names.map(|name| dir.join(name).exists())
+    };
+    assert_eq!(left(&dir), [true; 4]);
+    std::fs::write(dir.join("picture_of_mine.png"), "").unwrap();
+    let scene = tank("again", "").with_file_name("fewer.toml");
+    let text = std::fs::read_to_string(scene.with_file_name("scene.toml")).unwrap();
+    std::fs::write(&scene, text.replace("name = \"level\"", "name = \"height\"")).unwrap();
+    let run = ["run", scene.to_str().unwrap(), "--end-time", "0.01", "--quiet", "--no-fields"];
+    assert!(execute(MPS, &dir, &run).status.success());
+    assert_eq!(left(&dir), [false; 4]);
+    assert!(dir.join("probe_height.png").exists() && dir.join("picture_of_mine.png").exists());
+}
+
 fn start(program: &str, dir: &Path, arguments: &[&str]) -> Child {
     let mut command = Command::new(program);
     command.args(arguments).arg("--out").arg(dir).args(["--threads", "1", "--no-fields", "--quiet"]);

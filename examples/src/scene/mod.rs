@@ -12,7 +12,7 @@
 //! | `dimension`, `examined` | from the number of dimensions in a file to that in the code; a scene that was examined |
 //! | `run`, `watched` | the run, with all that watches it |
 //! | `watch/*` | what a run is watched for, its post-mortem, and how it is tried again |
-//! | `keeper`, `resume` | its checkpoints, and how it goes on from one |
+//! | `keeper`, `resume`, `leftovers` | its checkpoints, how it goes on from one, and what an earlier run has left |
 //! | `plan`, `disk` | what a run will cost, and whether there is room for it |
 //! | `table`, `plot`, `harmonics`, `converge` | the probes of runs made before: their plots, what oscillates in them, how far they are apart |
 //! | `print` | the scene that a program describes instead of running it |
@@ -34,6 +34,7 @@ mod keeper;
 mod lattice;
 mod law;
 mod layout;
+mod leftovers;
 mod line;
 mod movers;
 mod observer;

@@ -8,7 +8,7 @@ use super::probes::Probe;
 use super::resume::checkpoints;
 use super::watch::{Guard, PostMortem};
 use super::watched::Watched;
-use super::{Layout, World, report};
+use super::{Layout, World, leftovers, report};
 use crate::{Common, Cost, Failure, Precision, Watch, conclude, enter_compressibility, record};
 use mps_io::checkpoint::{Identity, Rotation};
 use mps_io::scene_file::{SceneFile, Weight};
@@ -73,6 +73,7 @@ fn spare(file: &Path, dir: &Path) -> Result<(), Failure> {
 fn anew(scene: &SceneFile, dir: &Path, rotation: &Rotation) -> Result<SceneFile, Failure> {
     rotation.clear()?;
     PostMortem::clear(dir)?;
+    leftovers::remove(dir)?;
     Ok(scene.write_to(dir)?)
 }
 
