@@ -269,6 +269,31 @@ fn results_of_an_earlier_run_are_removed() {
     assert!(dir.join("probe_height.png").exists() && dir.join("picture_of_mine.png").exists());
 }
 
+/// Each point behind a wall bears what a spacing of it does, so that there has to be one to every spacing.
+#[test]
+fn a_wall_whose_pressure_is_measured_has_a_point_to_every_spacing() {
+    let ends = "from = [0.05, 0.0], to = [0.15, 0.0]";
+    for (name, other, message) in [
+        (
+            "part",
+            "from = [0.05, 0.0], to = [0.155, 0.0]",
+            "wall_pressure.to is 10.50 spacings of the body from `from`",
+        ),
+        (
+            "beyond",
+            "from = [0.15, 0.0], to = [0.26, 0.0]",
+            "has 9 points of its body at the surface for a length of 11 spacings",
+        ),
+        ("whole", "from = [0.05, 0.0], to = [0.16, 0.0]", ""),
+    ] {
+        let file = tank(name, "").with_file_name("floor.toml");
+        std::fs::write(&file, FLOOR.replace(ends, other)).unwrap();
+        let check = Command::new(MPS).arg("check").arg(&file).output().unwrap();
+        let said = words(&check.stderr);
+        assert!(check.status.success() == message.is_empty() && said.contains(message), "{name}: {said}");
+    }
+}
+
 fn start(program: &str, dir: &Path, arguments: &[&str]) -> Child {
     let mut command = Command::new(program);
     command.args(arguments).arg("--out").arg(dir).args(["--threads", "1", "--no-fields", "--quiet"]);
