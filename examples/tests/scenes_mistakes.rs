@@ -284,6 +284,20 @@ fn every_mistake_has_a_message_with_place_and_remedy() {
     }
 }
 
+/// Points near what was cut out of a body are points of it.
+#[test]
+fn a_point_beside_a_hole_can_be_measured() {
+    const BEAM: &str = include_str!("../scenes/heavy-beam.toml");
+    for at in ["[0.2, 0.032]", "[0.2, 0.03]", "[0.185, 0.02]"] {
+        let scene = BEAM.replace("at = [0.2, 0.0]", &format!("at = {at}"));
+        assert_ne!(scene, BEAM);
+        let output = check(&format!("beside-a-hole-{at}"), &scene);
+        assert!(output.status.success() && output.stderr.is_empty(), "{at}: {}", words(&output.stderr));
+    }
+    let output = check("in-a-hole", &BEAM.replace("at = [0.2, 0.0]", "at = [0.2, 0.02]"));
+    assert!(words(&output.stderr).contains("outside the body"), "{}", words(&output.stderr));
+}
+
 /// What can be run but is most likely not meant is said, and not refused.
 #[test]
 fn what_is_doubtful_is_a_warning() {
