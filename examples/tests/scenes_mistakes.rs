@@ -218,6 +218,20 @@ const MISTAKES: &[Mistake] = &[
          point in the undeformed body or on its surface",
     ),
     (
+        "two probes with one plot",
+        "name = \"right level\"",
+        "name = \"left_level\"",
+        "scene.toml:39:8: probes[2].name makes a column \"left_level [m]\", whose plot has the name of one of \"left level\": \
+         change one: units and what spaces become do not tell them apart",
+    ),
+    (
+        "two probes with one column",
+        "name = \"right level\"",
+        "name = \"top of the gate y\"",
+        "scene.toml:39:8: probes[2].name makes a column \"top of the gate y [m]\", whose plot has the name of one of \
+         \"top of the gate\": change one: units and what spaces become do not tell them apart",
+    ),
+    (
         "a name that is no name of a file",
         "name = \"left level\"",
         "name = \"left: level\"",

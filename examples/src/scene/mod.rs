@@ -8,7 +8,7 @@
 //! | `water`, `openings`, `bodies`, `fixed`, `movers` | fluid, where it enters and leaves, elastic and rigid bodies, moved walls |
 //! | `world` | what is stepped: fluid with bodies, or bodies alone |
 //! | `clearance`, `diagnosis` | what is wrong with a scene that can be seen before it runs |
-//! | `probes`, `water_probes`, `interface_probes`, `observer`, `fields`, `slice`, `field_files`, `report`, `units` | what is measured, written, and said |
+//! | `probes`, `columns`, `water_probes`, `interface_probes`, `observer`, `fields`, `slice`, `field_files`, `report`, `units` | what is measured, written, and said |
 //! | `dimension`, `examined` | from the number of dimensions in a file to that in the code; a scene that was examined |
 //! | `run`, `watched` | the run, with all that watches it |
 //! | `watch/*` | what a run is watched for, its post-mortem, and how it is tried again |
@@ -19,6 +19,7 @@
 
 mod bodies;
 mod clearance;
+mod columns;
 mod converge;
 mod diagnosis;
 mod dimension;

@@ -52,7 +52,7 @@ impl<T: Real, const D: usize> Observer<T, D> {
         resumes: bool,
     ) -> Result<Self, Failure> {
         let mut names = vec!["time [s]".to_owned()];
-        names.extend(probes.iter().flat_map(Probe::columns));
+        names.extend(probes.iter().flat_map(Probe::columns).cloned());
         let measured = names.len();
         names.extend(ENERGIES.map(|name| format!("{name} [{}]", units::energy::<D>())));
         names.extend(STEPS.map(str::to_owned));

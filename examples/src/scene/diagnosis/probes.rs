@@ -2,6 +2,7 @@
 
 use super::super::FixedPoints;
 use super::super::bodies::drawn;
+use super::super::columns::twice;
 use super::super::interface_probes::{NOTHING_BEHIND, ON_THE_SURFACE, behind};
 use super::super::vector;
 use super::{Diagnosis, Subject};
@@ -10,6 +11,12 @@ use mps_io::scene_file::{Fixed, Measure, Packing, Region, WallPressureProbe};
 /// What a run would refuse after everything has been built is known before.
 pub(super) fn probes<const D: usize>(subject: &Subject<'_, D>, found: &mut Diagnosis) {
     let Subject { scene, source, layout, parallel } = *subject;
+    if let Some(([first, second], heading)) = twice::<D>(scene) {
+        let other = &scene.probes[first].name;
+        let what = format!("makes a column {heading:?}, whose plot has the name of one of {other:?}");
+        let remedy = "change one: units and what spaces become do not tell them apart";
+        found.refusals.push(source.problem(&format!("probes[{second}].name"), what, remedy));
+    }
     for (k, probe) in scene.probes.iter().enumerate() {
         let key = format!("probes[{k}].measure");
         match &probe.measure {
