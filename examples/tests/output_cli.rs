@@ -294,6 +294,30 @@ fn a_wall_whose_pressure_is_measured_has_a_point_to_every_spacing() {
     }
 }
 
+/// Walls that move have a frame with every one of the water, those that stand still have one.
+#[test]
+fn a_piston_moves_in_paraview() {
+    const WAVES: &str = include_str!("../scenes/wave-maker.toml");
+    let scene = tank("piston", "").with_file_name("waves.toml");
+    let coarse = WAVES.replace("spacing = 5e-3", "spacing = 1e-2").replace("[-0.02, 0.0]", "[-0.04, 0.0]");
+    std::fs::write(
+        &scene,
+        format!("{coarse}\n[output]\nfield_interval = 0.05\npicture_interval = 0\nframe_interval = 0\n"),
+    )
+    .unwrap();
+    let dir = fresh("output", "piston");
+    let run = ["run", scene.to_str().unwrap(), "--end-time", "0.2", "--quiet"];
+    let done = execute(MPS, &dir, &run);
+    assert!(done.status.success(), "{}", words(&done.stderr));
+    let frames = |name: &str| {
+        let list = std::fs::read_to_string(dir.join(format!("fields/{name}.pvd"))).unwrap();
+        list.matches("timestep=").count()
+    };
+    assert_eq!([frames("moving walls"), frames("walls")], [frames("water"), 1]);
+    let frame = |k: usize| std::fs::read(dir.join(format!("fields/moving walls_{k:05}.vtu"))).unwrap();
+    assert!(frames("water") >= 4 && frame(0) != frame(3));
+}
+
 fn start(program: &str, dir: &Path, arguments: &[&str]) -> Child {
     let mut command = Command::new(program);
     command.args(arguments).arg("--out").arg(dir).args(["--threads", "1", "--no-fields", "--quiet"]);

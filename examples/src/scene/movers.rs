@@ -21,6 +21,11 @@ impl<T: Real, const D: usize> Mover<T, D> {
         Self { motion: motion.clone(), range, velocity: Vector::zeros() }
     }
 
+    /// Its points among those of the boundary.
+    pub(super) fn range(&self) -> Range<usize> {
+        self.range.clone()
+    }
+
     /// Before a step from `time` \[s\] on: velocity and acceleration that the fluid is shown. The step is expected to be as
     /// long as the `last` one \[s\], and has the velocity of its middle.
     pub(super) fn show(&mut self, boundary: &mut Boundary<T, D>, time: f64, last: f64) {
