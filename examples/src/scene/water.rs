@@ -87,7 +87,7 @@ pub(super) fn water<T: Real, const D: usize, K: Kernel<T>>(
             boundary.add_fine_wall(&vectors(&part.places), T::of(part.volume), slip(wall.slip));
         }
         if let Some(motion) = &wall.motion {
-            movers.push(Mover::new(motion, start..boundary.len()));
+            movers.push(Mover::new(motion, &boundary, start..boundary.len()));
         }
     }
     let sound = config.sound_speed;

@@ -22,9 +22,9 @@ pub struct Wet<T: Real, const D: usize, K: Kernel<T>> {
 
 impl<T: Real, const D: usize, K: Kernel<T>> Wet<T, D, K> {
     pub(super) fn transfer(&mut self, parallel: &Parallel, transfer: &mut Transfer<'_>) {
-        // Movers take their velocities from the time, and their places are those of the boundary.
-        let Self { scene, movers: _, walls: _, elastic: _, last_dt, cfl: _ } = self;
+        let Self { scene, movers, walls: _, elastic: _, last_dt, cfl: _ } = self;
         transfer.within("scene", |transfer| scene.transfer(parallel, transfer));
+        movers.iter_mut().for_each(|mover| mover.transfer(transfer));
         transfer.value("last step", last_dt);
     }
 
@@ -47,7 +47,7 @@ impl<T: Real, const D: usize, K: Kernel<T>> Wet<T, D, K> {
         self.show_motions();
         // Whole steps to the end: a shortened one would show as a jump of the energy.
         let dt = self.scene.step(parallel, T::of(f64::INFINITY))?;
-        for mover in &self.movers {
+        for mover in &mut self.movers {
             mover.move_on(self.scene.fluid_mut().boundary_mut(), dt);
         }
         self.last_dt = dt.to_double();
