@@ -7,6 +7,7 @@ use common::words;
 use std::process::{Command, Output};
 
 const SCENE: &str = include_str!("../scenes/two-reservoirs.toml");
+const WAVES: &str = include_str!("../scenes/wave-maker.toml");
 const CHANNEL: &str = include_str!("../scenes/turek-hron.toml");
 
 /// Checks a text in a directory of its own, so that messages name it `scene.toml`.
@@ -371,6 +372,13 @@ fn what_is_doubtful_is_a_warning() {
             "expected_speed = 1.6",
             "expected_speed = 0.6",
             "fluid.expected_speed makes the sound 6.000 m/s fast",
+        ),
+        (
+            WAVES,
+            "a piston faster than planned",
+            "period = 0.8",
+            "period = 0.02",
+            "fluid.expected_speed makes the sound 14.000 m/s fast, and fluid may reach 4.9",
         ),
         (
             SCENE,
