@@ -313,6 +313,14 @@ fn a_point_beside_a_hole_can_be_measured() {
     assert!(words(&output.stderr).contains("outside the body"), "{}", words(&output.stderr));
 }
 
+/// A clamp only says which particles are held: it need not end where the body does.
+#[test]
+fn a_clamp_may_be_larger_than_its_body() {
+    let large = "clamp = { region = { box = { lower = [-10.0, -10.0], upper = [10.0, 0.01] } } }";
+    let output = check("a-large-clamp", &SCENE.replace("clamp = { sides = [\"bottom\"] }", large));
+    assert!(output.status.success() && output.stderr.is_empty(), "{}", words(&output.stderr));
+}
+
 /// What can be run but is most likely not meant is said, and not refused.
 #[test]
 fn what_is_doubtful_is_a_warning() {
