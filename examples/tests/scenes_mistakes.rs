@@ -376,6 +376,13 @@ fn what_is_doubtful_is_a_warning() {
         ),
         (
             SCENE,
+            "a gate coarser than the waters",
+            "spacing = 3e-3",
+            "spacing = 5e-3",
+            "solids[0].spacing is 1.25 spacings of the fluid: give at most 4e-3",
+        ),
+        (
+            SCENE,
             "a slow sound",
             "expected_speed = 1.6",
             "expected_speed = 0.6",

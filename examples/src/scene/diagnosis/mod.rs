@@ -1,6 +1,7 @@
 //! What can be seen to be wrong with a scene before it runs.
 
 mod bodies;
+mod coarseness;
 mod contacts;
 mod friction;
 mod openings;
@@ -13,6 +14,7 @@ use super::Layout;
 use super::lattice::Place;
 use crate::Failure;
 use bodies::bodies_apart;
+use coarseness::coarseness;
 use contacts::contacts;
 use mps_io::scene_file::{Clamp, Problem, SceneFile, Source};
 use mps_neighbors::Parallel;
@@ -46,6 +48,7 @@ pub(in crate::scene) fn diagnose<const D: usize>(
 ) -> Result<Diagnosis, Failure> {
     let mut found = Diagnosis::default();
     thickness(scene, source, layout, &mut found);
+    coarseness(scene, source, &mut found);
     speeds(scene, source, layout, &mut found);
     clamps(scene, source, layout, &mut found);
     support(scene, source, layout, &mut found);
