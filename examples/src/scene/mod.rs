@@ -12,7 +12,7 @@
 //! | `dimension`, `examined` | from the number of dimensions in a file to that in the code; a scene that was examined |
 //! | `run`, `watched` | the run, with all that watches it |
 //! | `watch/*` | what a run is watched for, its post-mortem, and how it is tried again |
-//! | `keeper`, `resume`, `leftovers` | its checkpoints, how it goes on from one, and what an earlier run has left |
+//! | `keeper`, `resume`, `leftovers`, `lock` | its checkpoints, how it goes on from one, what an earlier run has left, and that no other one runs there |
 //! | `plan`, `disk` | what a run will cost, and whether there is room for it |
 //! | `table`, `plot`, `harmonics`, `converge` | the probes of runs made before: their plots, what oscillates in them, how far they are apart |
 //! | `print` | the scene that a program describes instead of running it |
@@ -37,6 +37,7 @@ mod law;
 mod layout;
 mod leftovers;
 mod line;
+mod lock;
 mod movers;
 mod observer;
 mod openings;

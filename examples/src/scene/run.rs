@@ -3,6 +3,7 @@
 use super::dimension::AnyLayout;
 use super::fields::Fields;
 use super::keeper::Keeper;
+use super::lock::Lock;
 use super::observer::Observer;
 use super::probes::Probe;
 use super::resume::checkpoints;
@@ -113,6 +114,7 @@ fn whole<T: Real, const D: usize, K: Kernel<T>>(
     let mut world = World::<T, D, K>::new(scene, layout, weight, &parallel)?;
     let probes = Probe::all(scene, &world)?;
     let dir = common.output(name)?;
+    let _lock = Lock::take(&dir)?;
     // Only what has come about so far may take the place of an earlier run.
     let scene = &if from.is_some() { scene.clone() } else { anew(scene, &dir, &rotation)? };
     let mut observer = Observer::new(&dir, scene, probes, from.is_some())?;
