@@ -2,6 +2,9 @@
 
 use mps_kernel::Transfer;
 
+/// What rounding may take from a time that is a whole number of intervals, over the interval.
+const ROUNDING: f64 = 1e-9;
+
 /// Something that is to happen at regular simulated times, from the start on.
 #[derive(Clone, Copy, Debug)]
 pub struct Due {
@@ -28,14 +31,19 @@ impl Due {
 
     /// Whether its time has come.
     pub fn has_come(&self, time: f64) -> bool {
-        time >= self.next
+        time >= self.next - self.slack()
+    }
+
+    /// Without an interval there is none, also of infinity.
+    fn slack(&self) -> f64 {
+        if self.interval.is_finite() { ROUNDING * self.interval } else { 0.0 }
     }
 
     /// Whether it is to happen now; if so, it will be due again an interval later.
     pub fn is_due(&mut self, time: f64) -> bool {
         let due = self.has_come(time);
         if due {
-            self.next = ((time / self.interval).floor() + 1.0) * self.interval;
+            self.next = ((time / self.interval + ROUNDING).floor() + 1.0) * self.interval;
         }
         due
     }
@@ -73,6 +81,17 @@ mod tests {
         let happened: Vec<f64> =
             [0.0, 0.03, 0.11, 0.19, 0.45, 0.46, 0.5].into_iter().filter(|time| due.is_due(*time)).collect();
         assert_eq!(happened, [0.0, 0.11, 0.45, 0.5]);
+    }
+
+    /// Rows of a run of 0.3 s: eight of them make a frame, however both times are rounded.
+    #[test]
+    fn what_is_rounded_is_due_neither_twice_nor_a_row_late() {
+        for end in [0.1, 0.3, 0.8, 1.0, 1.7] {
+            let (mut due, row) = (Due::every(end / 100.0), end / 800.0);
+            let rows: Vec<u32> = (0..=800).filter(|k| due.is_due(f64::from(*k) * row)).collect();
+            assert_eq!(rows, (0..=100).map(|k| 8 * k).collect::<Vec<_>>(), "{end}");
+        }
+        assert!(!Due::never().is_due(1e300));
     }
 
     #[test]

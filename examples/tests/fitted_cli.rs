@@ -148,6 +148,8 @@ fn wrong_use_is_refused_with_a_remedy() {
     let said =
         refused("thin", &BLOCK.replace("[0.196, 0.126], [0.1, 0.098]", "[0.2096, 0.0795], [0.1136, 0.0515]"));
     assert!(said.contains("fixed[0].packing cannot be \"fitted\": the shape is too thin near ("), "{said}");
+    let said = refused("coarse", &BLOCK.replace("name = \"block\"", "name = \"block\"\nspacing = 1e-2"));
+    assert!(said.contains("fixed[0].spacing is 2.00 spacings of the fluid: give at most 5e-3"), "{said}");
     let plate = "title = \"A plate\"\nend_time = 0.1\n[[solids]]\nname = \"plate\"\npacking = \"fitted\"\n\
                  region = { box = { lower = [0.0, 0.0], upper = [0.2, 0.02] } }\nspacing = 5e-3\ndensity = 1000\n\
                  material = { neo_hookean = { youngs_modulus = 2e6, poissons_ratio = 0.4 } }\nclamp = { sides = [\"left\"] }\n";

@@ -211,6 +211,138 @@ fn a_binary_table_has_the_numbers_of_the_text() {
     assert!(numbers(&text).columns[0].last().unwrap() >= &0.08);
 }
 
+#[test]
+fn a_run_does_not_replace_the_scene_that_somebody_wrote() {
+    let scene = tank("own directory", "");
+    let text = format!("# A remark.\n{}", std::fs::read_to_string(&scene).unwrap());
+    std::fs::write(&scene, &text).unwrap();
+    let run = ["run", scene.to_str().unwrap(), "--end-time", "0.01", "--quiet", "--no-fields"];
+    let output = execute(MPS, scene.parent().unwrap(), &run);
+    let said = words(&output.stderr);
+    assert!(!output.status.success() && said.contains("would replace its scene"), "{said}");
+    assert_eq!(std::fs::read_to_string(&scene).unwrap(), text);
+    // Under another name it may stay there.
+    let renamed = scene.with_file_name("tank.toml");
+    std::fs::rename(&scene, &renamed).unwrap();
+    let run = ["run", renamed.to_str().unwrap(), "--end-time", "0.01", "--quiet", "--no-fields"];
+    assert!(execute(MPS, scene.parent().unwrap(), &run).status.success() && scene.exists());
+    assert_eq!(std::fs::read_to_string(&renamed).unwrap(), text);
+}
+
+/// A probe that finds nothing is refused by `check` as by `run`, which touches nothing of the run before.
+#[test]
+fn a_run_that_cannot_begin_leaves_the_one_before_alone() {
+    let scene =
+        FLOOR.replace("from = [0.05, 0.0], to = [0.15, 0.0]", "from = [0.05, 0.05], to = [0.15, 0.05]");
+    assert_ne!(scene, FLOOR);
+    let dir = run("before", "", &["--no-fields"]);
+    let file = dir.with_file_name("no point.toml");
+    std::fs::write(&file, scene).unwrap();
+    let file = file.to_str().unwrap();
+    let check = Command::new(MPS).args(["check", file]).output().unwrap();
+    let run = execute(MPS, &dir, &["run", file, "--quiet"]);
+    for output in [check, run] {
+        let said = words(&output.stderr);
+        assert!(!output.status.success() && said.contains("has no point of its body behind it"), "{said}");
+    }
+    let resumed =
+        Command::new(MPS).arg("resume").arg(&dir).args(["--end-time", "0.06", "--quiet"]).output().unwrap();
+    assert!(resumed.status.success(), "{}", words(&resumed.stderr));
+}
+
+/// A run with fewer results leaves none of an earlier one to be taken for its own.
+#[test]
+fn results_of_an_earlier_run_are_removed() {
+    let dir = run("again", "", &[]);
+    let left = |dir: &Path| {
+        let names = ["film.png", "fields/water.pvd", "picture_000000ms.png", "probe_level.png"];
+        names.map(|name| dir.join(name).exists())
+    };
+    assert_eq!(left(&dir), [true; 4]);
+    std::fs::write(dir.join("picture_of_mine.png"), "").unwrap();
+    let scene = tank("again", "").with_file_name("fewer.toml");
+    let text = std::fs::read_to_string(scene.with_file_name("scene.toml")).unwrap();
+    std::fs::write(&scene, text.replace("name = \"level\"", "name = \"height\"")).unwrap();
+    let run = ["run", scene.to_str().unwrap(), "--end-time", "0.01", "--quiet", "--no-fields"];
+    assert!(execute(MPS, &dir, &run).status.success());
+    assert_eq!(left(&dir), [false; 4]);
+    assert!(dir.join("probe_height.png").exists() && dir.join("picture_of_mine.png").exists());
+}
+
+/// Each point behind a wall bears what a spacing of it does, so that there has to be one to every spacing.
+#[test]
+fn a_wall_whose_pressure_is_measured_has_a_point_to_every_spacing() {
+    let ends = "from = [0.05, 0.0], to = [0.15, 0.0]";
+    for (name, other, message) in [
+        (
+            "part",
+            "from = [0.05, 0.0], to = [0.155, 0.0]",
+            "wall_pressure.to is 10.50 spacings of the body from `from`",
+        ),
+        (
+            "beyond",
+            "from = [0.15, 0.0], to = [0.26, 0.0]",
+            "has 9 points of its body at the surface for a length of 11 spacings",
+        ),
+        ("whole", "from = [0.05, 0.0], to = [0.16, 0.0]", ""),
+    ] {
+        let file = tank(name, "").with_file_name("floor.toml");
+        std::fs::write(&file, FLOOR.replace(ends, other)).unwrap();
+        let check = Command::new(MPS).arg("check").arg(&file).output().unwrap();
+        let said = words(&check.stderr);
+        assert!(check.status.success() == message.is_empty() && said.contains(message), "{name}: {said}");
+    }
+}
+
+/// Walls that move have a frame with every one of the water, those that stand still have one.
+#[test]
+fn a_piston_moves_in_paraview() {
+    const WAVES: &str = include_str!("../scenes/wave-maker.toml");
+    let scene = tank("piston", "").with_file_name("waves.toml");
+    let coarse = WAVES.replace("spacing = 5e-3", "spacing = 1e-2").replace("[-0.02, 0.0]", "[-0.04, 0.0]");
+    std::fs::write(
+        &scene,
+        format!("{coarse}\n[output]\nfield_interval = 0.05\npicture_interval = 0\nframe_interval = 0\n"),
+    )
+    .unwrap();
+    let dir = fresh("output", "piston");
+    let run = ["run", scene.to_str().unwrap(), "--end-time", "0.2", "--quiet"];
+    let done = execute(MPS, &dir, &run);
+    assert!(done.status.success(), "{}", words(&done.stderr));
+    let frames = |name: &str| {
+        let list = std::fs::read_to_string(dir.join(format!("fields/{name}.pvd"))).unwrap();
+        list.matches("timestep=").count()
+    };
+    assert_eq!([frames("moving walls"), frames("walls")], [frames("water"), 1]);
+    let frame = |k: usize| std::fs::read(dir.join(format!("fields/moving walls_{k:05}.vtu"))).unwrap();
+    assert!(frames("water") >= 4 && frame(0) != frame(3));
+}
+
+/// Bodies alone are stepped from row to row: a run ends at its end whatever their interval, and films have the frames they should.
+#[test]
+fn bodies_alone_end_at_the_end_and_are_filmed_once() {
+    const BEAM: &str = include_str!("../scenes/heavy-beam.toml");
+    let file = tank("beam", "").with_file_name("beam.toml");
+    let mut runs = Vec::new();
+    for (name, output, end) in [("long rows", "probe_interval = 1.0", "0.05"), ("usual rows", "", "0.1")] {
+        std::fs::write(
+            &file,
+            format!("{BEAM}\n[output]\n{output}\nframe_interval = 0\npicture_interval = 0\n"),
+        )
+        .unwrap();
+        let dir = fresh("output", name);
+        let run = ["run", file.to_str().unwrap(), "--end-time", end, "--quiet"];
+        let done = execute(MPS, &dir, &run);
+        assert!(done.status.success(), "{}", words(&done.stderr));
+        runs.push((CsvTable::read(dir.join("probes.csv")).unwrap().columns[0].clone(), dir));
+    }
+    assert_eq!(runs[0].0, [0.0, 0.05]);
+    let (time, dir) = &runs[1];
+    assert!(time.len() == 801 && (time[800] / 0.1 - 1.0).abs() < 1e-12, "{} rows", time.len());
+    let list = std::fs::read_to_string(dir.join("fields/solid beam.pvd")).unwrap();
+    assert_eq!(list.matches("timestep=").count(), 41);
+}
+
 fn start(program: &str, dir: &Path, arguments: &[&str]) -> Child {
     let mut command = Command::new(program);
     command.args(arguments).arg("--out").arg(dir).args(["--threads", "1", "--no-fields", "--quiet"]);

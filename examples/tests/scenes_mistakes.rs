@@ -7,6 +7,7 @@ use common::words;
 use std::process::{Command, Output};
 
 const SCENE: &str = include_str!("../scenes/two-reservoirs.toml");
+const WAVES: &str = include_str!("../scenes/wave-maker.toml");
 const CHANNEL: &str = include_str!("../scenes/turek-hron.toml");
 
 /// Checks a text in a directory of its own, so that messages name it `scene.toml`.
@@ -111,6 +112,13 @@ const IN_THE_CHANNEL: &[Mistake] = &[
          begin where it touches the disc: rows are stretched by a fifth at most",
     ),
     (
+        "a clamp between two rows",
+        "clamp = { disc = { center = [0.2, 0.2], radius = 0.05 } }",
+        "clamp = { region = { box = { lower = [0.25, 0.19], upper = [0.2505, 0.21] } } }",
+        "scene.toml:64:20: solids[0].clamp.region holds no particle: let the region cover the middle of at least one row of \
+         particles, or hold a side of a box",
+    ),
+    (
         "a flag that moves in the cylinder",
         "clamp = { disc = { center = [0.2, 0.2], radius = 0.05 } }",
         "clamp = { disc = { center = [0.2, 0.2], radius = 0.045 } }",
@@ -204,6 +212,33 @@ const MISTAKES: &[Mistake] = &[
          undeformed body",
     ),
     (
+        "a probe between the body and what is too far",
+        "at = [0.206, 0.16]",
+        "at = [0.206, 0.1622]",
+        "scene.toml:32:51: probes[0].measure.displacement.at is [0.206, 0.1622], where \"gate\" has too few particles around: give a \
+         point in the undeformed body or on its surface",
+    ),
+    (
+        "two probes with one plot",
+        "name = \"right level\"",
+        "name = \"left_level\"",
+        "scene.toml:39:8: probes[2].name makes a column \"left_level [m]\", whose plot has the name of one of \"left level\": \
+         change one: units and what spaces become do not tell them apart",
+    ),
+    (
+        "two probes with one column",
+        "name = \"right level\"",
+        "name = \"top of the gate y\"",
+        "scene.toml:39:8: probes[2].name makes a column \"top of the gate y [m]\", whose plot has the name of one of \
+         \"top of the gate\": change one: units and what spaces become do not tell them apart",
+    ),
+    (
+        "a name that is no name of a file",
+        "name = \"left level\"",
+        "name = \"left: level\"",
+        "scene.toml:35:8: probes[1].name is \"left: level\": give it letters, digits, spaces or dashes, at most 200",
+    ),
+    (
         "sound slower than the water",
         "expected_speed = 1.6",
         "expected_speed = 0.1",
@@ -229,8 +264,8 @@ const MISTAKES: &[Mistake] = &[
         "a gate too thin for the water",
         "upper = [0.212, 0.16]",
         "upper = [0.207, 0.16]",
-        "scene.toml:24:10: solids[0].region is 1.75 particles of the fluid thick and needs at least 2: make it thicker, or give \
-         fluid.spacing at most 3.500e-3",
+        "scene.toml:24:10: solids[0].region is 1.75 particles of the fluid thick and needs at least 3: make it thicker, or give \
+         fluid.spacing at most 2.333e-3",
     ),
     (
         "a corner too sharp for a wall",
@@ -262,6 +297,28 @@ fn every_mistake_has_a_message_with_place_and_remedy() {
         let refused: Vec<&str> = said.lines().filter(|line| !line.starts_with("warning: ")).collect();
         assert_eq!(refused.join("\n"), format!("error: {message}"), "{name}");
     }
+}
+
+/// Points near what was cut out of a body are points of it.
+#[test]
+fn a_point_beside_a_hole_can_be_measured() {
+    const BEAM: &str = include_str!("../scenes/heavy-beam.toml");
+    for at in ["[0.2, 0.032]", "[0.2, 0.03]", "[0.185, 0.02]"] {
+        let scene = BEAM.replace("at = [0.2, 0.0]", &format!("at = {at}"));
+        assert_ne!(scene, BEAM);
+        let output = check(&format!("beside-a-hole-{at}"), &scene);
+        assert!(output.status.success() && output.stderr.is_empty(), "{at}: {}", words(&output.stderr));
+    }
+    let output = check("in-a-hole", &BEAM.replace("at = [0.2, 0.0]", "at = [0.2, 0.02]"));
+    assert!(words(&output.stderr).contains("outside the body"), "{}", words(&output.stderr));
+}
+
+/// A clamp only says which particles are held: it need not end where the body does.
+#[test]
+fn a_clamp_may_be_larger_than_its_body() {
+    let large = "clamp = { region = { box = { lower = [-10.0, -10.0], upper = [10.0, 0.01] } } }";
+    let output = check("a-large-clamp", &SCENE.replace("clamp = { sides = [\"bottom\"] }", large));
+    assert!(output.status.success() && output.stderr.is_empty(), "{}", words(&output.stderr));
 }
 
 /// What can be run but is most likely not meant is said, and not refused.
@@ -305,6 +362,13 @@ fn what_is_doubtful_is_a_warning() {
         ),
         (
             SCENE,
+            "a gate that hardly parts the waters",
+            "upper = [0.212, 0.16]",
+            "upper = [0.208, 0.16]",
+            "solids[0].region is 2.00 particles of the fluid thick and needs at least 3",
+        ),
+        (
+            SCENE,
             "few particles across",
             "spacing = 3e-3",
             "spacing = 6e-3",
@@ -312,10 +376,24 @@ fn what_is_doubtful_is_a_warning() {
         ),
         (
             SCENE,
+            "a gate coarser than the waters",
+            "spacing = 3e-3",
+            "spacing = 5e-3",
+            "solids[0].spacing is 1.25 spacings of the fluid: give at most 4e-3",
+        ),
+        (
+            SCENE,
             "a slow sound",
             "expected_speed = 1.6",
             "expected_speed = 0.6",
             "fluid.expected_speed makes the sound 6.000 m/s fast",
+        ),
+        (
+            WAVES,
+            "a piston faster than planned",
+            "period = 0.8",
+            "period = 0.02",
+            "fluid.expected_speed makes the sound 14.000 m/s fast, and fluid may reach 4.9",
         ),
         (
             SCENE,

@@ -1,5 +1,6 @@
 //! How far a run is and when it will be done.
 
+use crate::number;
 use std::fmt::Display;
 use std::io::{IsTerminal, Write};
 use std::time::{Duration, Instant};
@@ -73,8 +74,9 @@ impl Progress {
     pub fn finish(&mut self, time: f64, steps: u64) {
         let wall = self.wall_seconds();
         let text = format!(
-            "t = {time:.4} s of {:.4} s, {steps} steps in {}, {:.0} steps/s",
-            self.end_time,
+            "t = {} s of {} s, {steps} steps in {}, {:.0} steps/s",
+            number(time, 4, self.end_time),
+            number(self.end_time, 4, self.end_time),
             clock(wall),
             steps as f64 / wall.max(1e-9)
         );
@@ -97,7 +99,9 @@ impl Progress {
         let Self { end_time, rate, .. } = self;
         // The most wanted comes first: a narrow terminal cuts the end off.
         let mut text = format!(
-            "{left} left  t = {time:.4} of {end_time:.4} s  {:.0} steps/s  dt = {dt:.1e} s",
+            "{left} left  t = {} of {} s  {:.0} steps/s  dt = {dt:.1e} s",
+            number(time, 4, *end_time),
+            number(*end_time, 4, *end_time),
             rate.steps_per_second
         );
         let extra = extra.to_string();

@@ -1,6 +1,7 @@
 //! Elastic bodies from their description.
 
 use super::fitted::fill_as;
+use super::lattice::Place;
 use super::{Law, vector};
 use crate::Failure;
 use crate::solid::begin_at;
@@ -16,6 +17,9 @@ use mps_solid::body::{Body, Face, block, counts};
 use mps_solid::materials::Ambient;
 use mps_solid::{Solid, SolidConfig, SolidError, SolidParticles};
 use thiserror::Error;
+
+/// An elastic body of a scene.
+type Made<T, const D: usize> = Solid<T, D, Ambient<Law<T>, T>>;
 
 /// Why no body was made of a region.
 #[derive(Debug, Error)]
@@ -100,16 +104,36 @@ fn face(side: Side) -> Face {
     if side.is_upper() { Face::upper(side.axis()) } else { Face::lower(side.axis()) }
 }
 
-/// The body with its velocities at the start, in a fluid of this background pressure \[Pa\].
-pub(super) fn body<T: Real, const D: usize>(
+/// The body of these particles, to be asked for its points. What follows a surface is not made once more.
+///
+/// # Errors
+/// As [`body`].
+pub(super) fn drawn<const D: usize>(
     description: &Description,
+    points: &[(Place<D>, bool)],
+    parallel: &Parallel,
+) -> Result<Made<f64, D>, Failure> {
+    let (particles, spacing) = if description.packing == Filling::Lattice {
+        particles(description, parallel)?
+    } else {
+        let mut particles = SolidParticles::new();
+        points.iter().for_each(|(place, held)| {
+            particles.push(vector(place), description.spacing.powi(D as i32), *held)
+        });
+        (particles, Vector::repeat(description.spacing))
+    };
+    at_rest(description, particles, spacing, 0.0, parallel)
+}
+
+fn at_rest<T: Real, const D: usize>(
+    description: &Description,
+    particles: SolidParticles<T, D>,
+    spacing: Vector<T, D>,
     background: f64,
     parallel: &Parallel,
-) -> Result<Solid<T, D, Ambient<Law<T>, T>>, Failure> {
-    let (particles, spacing) = particles(description, parallel)?;
-    let held: Vec<bool> = (0..particles.ids().len()).map(|i| particles.is_clamped(i)).collect();
+) -> Result<Made<T, D>, Failure> {
     let pressure = T::of(description.ambient_pressure.unwrap_or(background));
-    let mut solid = Solid::new(
+    Ok(Solid::new(
         particles,
         spacing,
         T::of(description.density),
@@ -117,7 +141,18 @@ pub(super) fn body<T: Real, const D: usize>(
         WendlandC2,
         SolidConfig { damping: T::of(description.damping), ..SolidConfig::default() },
         parallel,
-    )?;
+    )?)
+}
+
+/// The body with its velocities at the start, in a fluid of this background pressure \[Pa\].
+pub(super) fn body<T: Real, const D: usize>(
+    description: &Description,
+    background: f64,
+    parallel: &Parallel,
+) -> Result<Made<T, D>, Failure> {
+    let (particles, spacing) = particles(description, parallel)?;
+    let held: Vec<bool> = (0..particles.ids().len()).map(|i| particles.is_clamped(i)).collect();
+    let mut solid = at_rest(description, particles, spacing, background, parallel)?;
     let Some(velocity) = &description.velocity else { return Ok(solid) };
     let start: Vec<Vector<T, D>> = match velocity {
         InitialVelocity::Uniform(velocity) => vec![vector(velocity); held.len()],

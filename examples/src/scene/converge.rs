@@ -4,6 +4,7 @@ use super::table::Probes;
 use crate::convergence::{Curve, distance, order};
 use crate::{Failure, Refused};
 use mps_io::Summary;
+use mps_io::number;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -50,7 +51,8 @@ pub fn converge(
 ) -> Result<String, Failure> {
     let runs = dirs.iter().map(|dir| Run::read(dir)).collect::<Result<Vec<_>, _>>()?;
     let window = window(&runs, from, to)?;
-    let mut text = format!("| {:.4} to {:.4} s |", window[0], window[1]);
+    let mut text =
+        format!("| {} to {} s |", number(window[0], 4, window[1]), number(window[1], 4, window[1]));
     for pair in names(&runs).windows(2) {
         let _ = write!(text, " {} to {} |", pair[0], pair[1]);
     }
@@ -76,7 +78,11 @@ fn window(runs: &[Run], from: Option<f64>, to: Option<f64>) -> Result<[f64; 2], 
     let end = runs.iter().filter_map(|run| run.time().last().copied()).fold(f64::INFINITY, f64::min);
     let all = runs.iter().map(|run| run.name.as_str()).collect::<Vec<_>>().join(", ");
     Refused::unless(begin < end, "DIRECTORIES", all, "these runs have no time in common: give others")?;
-    let advice = format!("all runs have rows from {begin:.4} to {end:.4} s: give a time between");
+    let advice = format!(
+        "all runs have rows from {} to {} s: give a time between",
+        number(begin, 4, end),
+        number(end, 4, end)
+    );
     for (flag, time) in [("--from", from), ("--to", to)] {
         let Some(time) = time else { continue };
         Refused::unless((begin..=end).contains(&time), flag, time, advice.clone())?;
@@ -86,7 +92,7 @@ fn window(runs: &[Run], from: Option<f64>, to: Option<f64>) -> Result<[f64; 2], 
         window[0] < window[1],
         "--from",
         window[0],
-        format!("give a time before {:.4} s", window[1]),
+        format!("give a time before {} s", number(window[1], 4, window[1])),
     )?;
     Ok(window)
 }

@@ -14,8 +14,11 @@ pub(super) fn field_frames(scene: &SceneFile) -> f64 {
 
 /// The most that the fields of a run can take, not compressed \[bytes\].
 pub(super) fn field_bytes<const D: usize>(scene: &SceneFile, layout: &Layout<D>) -> f64 {
-    let [fluid, body] = particle_bytes(&scene.output).map(|bytes| bytes as f64);
-    field_frames(scene) * (layout.fluid_len() as f64 * fluid + layout.solids_len() as f64 * body)
+    let [fluid, body, wall] = particle_bytes(&scene.output).map(|bytes| bytes as f64);
+    let moving = scene.walls.iter().zip(&layout.walls).filter(|(wall, _)| wall.motion.is_some());
+    let moving: usize = moving.flat_map(|(_, parts)| parts).map(|part| part.places.len()).sum();
+    let (fluid, body) = (layout.fluid_len() as f64 * fluid, layout.solids_len() as f64 * body);
+    field_frames(scene) * (fluid + body + moving as f64 * wall)
 }
 
 /// What to say of a run called `name` whose fields may not find room where it writes.

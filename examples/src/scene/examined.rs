@@ -4,9 +4,12 @@ use super::dimension::AnyLayout;
 use super::{Diagnosis, run};
 use crate::{Common, Failure};
 use mps_io::scene_file::{SceneError, SceneFile, Source};
+use std::path::PathBuf;
 
 /// A scene with its particles, and what can be seen to be wrong with it.
 pub struct Examined {
+    /// The file it was read from.
+    file: PathBuf,
     scene: SceneFile,
     layout: AnyLayout,
     diagnosis: Diagnosis,
@@ -20,7 +23,7 @@ impl Examined {
     pub fn new(scene: SceneFile, source: &Source) -> Result<Self, Failure> {
         let layout = AnyLayout::new(&scene, source)?;
         let diagnosis = layout.diagnose(&scene, source)?;
-        Ok(Self { scene, layout, diagnosis })
+        Ok(Self { file: source.name().into(), scene, layout, diagnosis })
     }
 
     /// What was found.
@@ -60,8 +63,8 @@ impl Examined {
     /// and at the end.
     ///
     /// # Errors
-    /// What breaks the run off. What has been computed until then is kept.
+    /// What breaks the run off. What has been computed until then is kept. A scene file whose place the results would take is left as it is.
     pub fn run(&self, name: &str, common: &Common, interval: f64) -> Result<(), Failure> {
-        run::begin(&self.scene, &self.layout, name, common, interval)
+        run::begin((&self.scene, &self.file), &self.layout, name, common, interval)
     }
 }

@@ -13,6 +13,8 @@ use std::path::Path;
 /// Writes what ParaView reads.
 pub(super) struct FieldFiles {
     water: FieldWriter,
+    /// Of the walls that move, with the numbers of their points.
+    moving: Option<(FieldWriter, Vec<u32>)>,
     solids: Vec<FieldWriter>,
     of_fluid: Vec<Field>,
     of_bodies: Vec<Field>,
@@ -34,7 +36,7 @@ fn options(output: &Output) -> FieldOptions {
 }
 
 impl FieldFiles {
-    /// In `dir`, where walls and fixed bodies, which do not change, are written at once.
+    /// In `dir`, where walls that stand still and fixed bodies, which do not change, are written at once.
     pub(super) fn new<T: Real, const D: usize, K: Kernel<T>>(
         dir: &Path,
         scene: &SceneFile,
@@ -42,20 +44,22 @@ impl FieldFiles {
     ) -> Result<Self, Failure> {
         let output = &scene.output;
         let writer = |name: &str| FieldWriter::new(dir, name, options(output));
-        let still = |name: &str, points: &[Vector<T, D>]| {
-            let inside = inside(output.field_region.as_ref(), points);
-            writer(name)?.write(0.0, &PointCloud::new(points).only(inside.as_deref()))
-        };
+        let region = output.field_region.as_ref();
+        let [still, moving] = world.wall_points();
         if let Some(fluid) = world.fluid() {
-            let walls = &fluid.boundary().position[..fluid.boundary().reactive().start];
-            still("walls", walls)?;
+            let points = &fluid.boundary().position;
+            let shown = of_these(region, points, &still);
+            writer("walls")?.write(0.0, &PointCloud::new(points).only(Some(&shown)))?;
         }
         for (body, described) in world.fixed().zip(&scene.fixed) {
-            still(&format!("fixed {}", described.name), body.positions())?;
+            let (points, mut file) = (body.positions(), writer(&format!("fixed {}", described.name))?);
+            file.write(0.0, &PointCloud::new(points).only(inside(region, points).as_deref()))?;
         }
+        let moving = if moving.is_empty() { None } else { Some((writer("moving walls")?, moving)) };
         let solids = scene.solids.iter().map(|solid| writer(&format!("solid {}", solid.name)));
         Ok(Self {
             water: writer("water")?,
+            moving,
             solids: solids.collect::<Result<_, _>>()?,
             of_fluid: output.chosen(&Field::OF_FLUIDS),
             of_bodies: output.chosen(&Field::OF_BODIES),
@@ -66,12 +70,15 @@ impl FieldFiles {
 
     /// Saves how far the collections are, or goes back to where they were.
     pub(super) fn transfer(&mut self, transfer: &mut Transfer<'_>) {
-        let Self { water, solids, of_fluid: _, of_bodies: _, region: _, surface: _ } = self;
+        let Self { water, moving, solids, of_fluid: _, of_bodies: _, region: _, surface: _ } = self;
         transfer.within("water", |transfer| water.transfer(transfer));
+        if let Some((writer, _)) = moving {
+            transfer.within("moving walls", |transfer| writer.transfer(transfer));
+        }
         solids.iter_mut().for_each(|writer| writer.transfer(transfer));
     }
 
-    /// One frame of the water and of each body.
+    /// One frame of the water, of the walls that move, and of each body.
     pub(super) fn write<T: Real, const D: usize, K: Kernel<T>>(
         &mut self,
         world: &mut World<T, D, K>,
@@ -97,6 +104,11 @@ impl FieldFiles {
                 };
             }
             self.water.write(time, &cloud)?;
+            if let Some((writer, moving)) = &mut self.moving {
+                let points = &fluid.boundary().position;
+                let shown = of_these(self.region.as_ref(), points, moving);
+                writer.write(time, &PointCloud::new(points).only(Some(&shown)))?;
+            }
         }
         for (k, writer) in self.solids.iter_mut().enumerate() {
             let Some(solid) = world.solid(k) else { continue };
@@ -143,9 +155,21 @@ impl FieldFiles {
 
 /// Numbers of the points in the region; `None` without a region.
 fn inside<T: Real, const D: usize>(region: Option<&Region>, points: &[Vector<T, D>]) -> Option<Vec<u32>> {
-    let region = region?;
-    let within = |r: &Vector<T, D>| region.contains(&<[f64; D]>::from(r.map(Real::to_double)), 0.0);
-    Some((0_u32..).zip(points).filter(|(_, r)| within(r)).map(|(k, _)| k).collect())
+    region.map(|region| (0_u32..).zip(points).filter(|(_, r)| is_in(region, r)).map(|(k, _)| k).collect())
+}
+
+/// Those of the points with these numbers that are in the region, all without a region.
+fn of_these<T: Real, const D: usize>(
+    region: Option<&Region>,
+    points: &[Vector<T, D>],
+    numbers: &[u32],
+) -> Vec<u32> {
+    let shown = |k: &u32| region.is_none_or(|region| is_in(region, &points[*k as usize]));
+    numbers.iter().copied().filter(shown).collect()
+}
+
+fn is_in<T: Real, const D: usize>(region: &Region, r: &Vector<T, D>) -> bool {
+    region.contains(&<[f64; D]>::from(r.map(Real::to_double)), 0.0)
 }
 
 /// Largest principal value of the Green-Lagrange strain of every particle.
@@ -157,10 +181,10 @@ pub(super) fn principal_strains<T: Real, const D: usize, K: Kernel<T>>(
     solid.particles().deformations().iter().map(|f| largest_eigenvalue(&green_lagrange(f))).collect()
 }
 
-/// Bytes of a particle of the fluid and of a body in a frame, uncompressed.
-pub(super) fn particle_bytes(output: &Output) -> [usize; 2] {
+/// Bytes of a particle of the fluid, of a body, and of a point of a wall that moves in a frame, uncompressed.
+pub(super) fn particle_bytes(output: &Output) -> [usize; 3] {
     let real = output.field_precision.unwrap_or_default().bytes();
     let place = 3 * real;
-    [&Field::OF_FLUIDS[..], &Field::OF_BODIES[..]]
+    [&Field::OF_FLUIDS[..], &Field::OF_BODIES[..], &[]]
         .map(|fields| place + output.chosen(fields).iter().map(|field| field.bytes(real)).sum::<usize>())
 }

@@ -33,13 +33,14 @@ pub(super) struct Fields {
     picture_interval: f64,
 }
 
-/// In milliseconds, or, where pictures are closer than one of them, in microseconds.
+/// In milliseconds, or, where pictures are closer than one of them, in the largest of the smaller units that tells them apart.
 fn picture_name(time: f64, interval: f64) -> String {
-    if interval > 0.0 && interval < 1e-3 {
-        format!("picture_{:09.0}us.png", time * 1e6)
-    } else {
-        format!("picture_{:06.0}ms.png", time * 1e3)
+    let fine = [("us", 1e6), ("ns", 1e9), ("ps", 1e12)];
+    if interval <= 0.0 || interval >= 1e-3 {
+        return format!("picture_{:06.0}ms.png", time * 1e3);
     }
+    let (unit, share) = fine.into_iter().find(|(_, share)| interval * share >= 1.0).unwrap_or(("fs", 1e15));
+    format!("picture_{:09.0}{unit}.png", time * share)
 }
 
 impl Fields {
@@ -223,5 +224,12 @@ mod tests {
         let names = [0.0, 4e-4, 8e-4].map(|time| picture_name(time, 4e-4));
         assert_eq!(names[1], "picture_000000400us.png");
         assert!(names[0] != names[1] && names[1] != names[2]);
+        for interval in [1e-7, 4e-10, 3e-13] {
+            let mut names: Vec<_> =
+                (0..11).map(|k| picture_name(interval * f64::from(k), interval)).collect();
+            names.dedup();
+            assert_eq!(names.len(), 11, "{names:?}");
+        }
+        assert_eq!(picture_name(3e-7, 1e-7), "picture_000000300ns.png");
     }
 }

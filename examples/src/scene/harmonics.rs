@@ -3,6 +3,7 @@
 use super::table::Probes;
 use crate::harmonics::strongest;
 use crate::{Failure, Refused};
+use mps_io::number;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -32,10 +33,11 @@ pub fn harmonics(dir: &Path, columns: &[String], window: Window) -> Result<Strin
     let last = time.last().copied().unwrap_or(0.0);
     let (from, to) = (window.from.unwrap_or(0.5 * last), window.to.unwrap_or(last));
     let rows = time.partition_point(|t| *t < from)..time.partition_point(|t| *t <= to);
-    let advice = format!("the run has {} rows up to {last:.4} s: give an earlier time", time.len());
+    let advice =
+        format!("the run has {} rows up to {} s: give an earlier time", time.len(), number(last, 4, last));
     Refused::unless(rows.len() >= 10, "--from", from, advice)?;
 
-    let mut text = format!("| {from:.4} to {to:.4} s | mean |");
+    let mut text = format!("| {} to {} s | mean |", number(from, 4, to), number(to, 4, to));
     for k in 1..=window.count {
         let _ = write!(text, " amplitude {k} | Hz |");
     }

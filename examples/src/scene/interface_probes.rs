@@ -4,7 +4,7 @@ use super::World;
 use super::lattice::Place;
 use super::units::planes;
 use crate::Failure;
-use mps_kernel::{Kernel, Real, Vector};
+use mps_kernel::{Kernel, Real};
 
 /// Impulse per dimension, angular impulse about the origin, one number per plane things turn in, and work that structures have
 /// been handed since the start: \[N s\], \[N m s\] and \[J\], in two dimensions per metre of depth.
@@ -20,6 +20,10 @@ pub(super) fn handed<T: Real, const D: usize, K: Kernel<T>>(
     }
     sum
 }
+
+/// What is wrong with a part of a surface, and what to do.
+pub(super) const NOTHING_BEHIND: &str = "has no point of its body behind it";
+pub(super) const ON_THE_SURFACE: &str = "give a line on the surface, with the fluid on its left";
 
 /// A part of the surface of a body at rest, in two dimensions.
 pub(super) struct WallPart {
@@ -43,8 +47,6 @@ impl WallPart {
         from: Place<2>,
         to: Place<2>,
     ) -> Result<Self, Failure> {
-        let (along, length) = unit([to[0] - from[0], to[1] - from[1]]);
-        let normal = [-along[1], along[0]];
         let scene = world.coupled();
         let depth = scene.map_or(0.0, |scene| {
             let config = scene.fluid().config();
@@ -52,22 +54,14 @@ impl WallPart {
         });
         let positions =
             scene.and_then(|scene| scene.structure(body)).map_or(&[][..], |body| body.positions());
-        let behind = |r: &Vector<T, D>| {
-            let arm = [r[0].to_double() - from[0], r[1].to_double() - from[1]];
-            let (s, out) = (dot(arm, along), dot(arm, normal));
-            // Points on the surface are behind it whatever the rounding; each end belongs to one of the parts it divides.
-            (0.0..length).contains(&s) && (-depth..1e-6 * depth).contains(&out)
-        };
-        let points: Vec<_> =
-            positions.iter().enumerate().filter(|(_, r)| behind(r)).map(|(k, _)| k).collect();
+        let places = positions.iter().map(|r| [r[0].to_double(), r[1].to_double()]);
+        let points = behind(places, [from, to], depth);
         if points.is_empty() {
             let line = format!("from {from:?} to {to:?}");
-            return Err(format!(
-                "the wall {line} has no point of its body behind it: give a line on the surface, with the fluid on its left"
-            )
-            .into());
+            return Err(format!("the wall {line} {NOTHING_BEHIND}: {ON_THE_SURFACE}").into());
         }
-        Ok(Self { body, points, normal, length })
+        let (along, length) = unit([to[0] - from[0], to[1] - from[1]]);
+        Ok(Self { body, points, normal: [-along[1], along[0]], length })
     }
 
     /// Mean pressure on it in the last step \[Pa\].
@@ -77,6 +71,23 @@ impl WallPart {
             |k: &usize| forces.get(*k).map_or(0.0, |f| dot([f[0], f[1]].map(Real::to_double), self.normal));
         -self.points.iter().map(load).sum::<f64>() / self.length
     }
+}
+
+/// Numbers of the places behind a line between two points that is walked with the fluid on the left, up to `depth` \[m\] deep.
+pub(super) fn behind(
+    places: impl Iterator<Item = Place<2>>,
+    [from, to]: [Place<2>; 2],
+    depth: f64,
+) -> Vec<usize> {
+    let (along, length) = unit([to[0] - from[0], to[1] - from[1]]);
+    let normal = [-along[1], along[0]];
+    let is_behind = |place: &Place<2>| {
+        let arm = [place[0] - from[0], place[1] - from[1]];
+        let (s, out) = (dot(arm, along), dot(arm, normal));
+        // Points on the surface are behind it whatever the rounding; each end belongs to one of the parts it divides.
+        (0.0..length).contains(&s) && (-depth..1e-6 * depth).contains(&out)
+    };
+    places.enumerate().filter(|(_, place)| is_behind(place)).map(|(k, _)| k).collect()
 }
 
 fn dot(a: Place<2>, b: Place<2>) -> f64 {

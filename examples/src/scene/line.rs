@@ -18,7 +18,8 @@ pub(super) struct SidePoints {
 ///
 /// Along a side the spacing is fitted to whole cells. Where sides meet, each row goes on (or ends early) to the line
 /// that halves the angle; centres on that line belong to the side before it. So a right angle is filled as by a
-/// square lattice. At the ends of an open line rows end with it.
+/// square lattice. At the ends of an open line rows end with it. Where other sides are nearer, rows have ended as well: an obstacle
+/// that is narrower than two depths is filled once, each half from its own side, and nothing stands out of it.
 pub(super) fn along(corners: &[Place<2>], closed: bool, spacing: f64, depth: f64) -> Vec<SidePoints> {
     let count = corners.len();
     let sides: Vec<Place<2>> = (0..if closed { count } else { count.saturating_sub(1) })
@@ -53,12 +54,35 @@ pub(super) fn along(corners: &[Place<2>], closed: bool, spacing: f64, depth: f64
                 let last = (to / step - 0.5).floor() as i64;
                 for column in first..=last {
                     let s = (column as f64 + 0.5) * step;
-                    points.push([corners[k][0] + tx * s + ty * off, corners[k][1] + ty * s - tx * off]);
+                    let point = [corners[k][0] + tx * s + ty * off, corners[k][1] + ty * s - tx * off];
+                    if is_nearest(corners, sides.len(), k, &point, margin) {
+                        points.push(point);
+                    }
                 }
             }
             SidePoints { points, area: step * spacing }
         })
         .collect()
+}
+
+/// Whether no other side is nearer to a point than side `own`; of two equally near ones the first has it. With the sides beside it
+/// the mitres have settled that.
+fn is_nearest(corners: &[Place<2>], sides: usize, own: usize, point: &Place<2>, margin: f64) -> bool {
+    let count = corners.len();
+    let distance = |k: usize| from_side(&corners[k], &corners[(k + 1) % count], point);
+    let beside = |k: usize| k.abs_diff(own) <= 1 || (sides == count && k.abs_diff(own) == sides - 1);
+    let mine = distance(own);
+    (0..sides).filter(|k| !beside(*k)).all(|k| {
+        let theirs = distance(k);
+        theirs > mine + margin || (theirs > mine - margin && own < k)
+    })
+}
+
+/// Distance of a point from a side between two corners \[m\].
+fn from_side(a: &Place<2>, b: &Place<2>, point: &Place<2>) -> f64 {
+    let ([dx, dy], [x, y]) = ([b[0] - a[0], b[1] - a[1]], [point[0] - a[0], point[1] - a[1]]);
+    let along = ((x * dx + y * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
+    (x - along * dx).hypot(y - along * dy)
 }
 
 #[cfg(test)]
@@ -101,6 +125,28 @@ mod tests {
             }
         }
         assert_eq!(found, wanted);
+    }
+
+    /// Sills on a bed, 10 cells high, with walls four cells deep: from narrower than a depth to wider than two.
+    #[test]
+    fn a_narrow_obstacle_is_filled_once_and_nothing_stands_out_of_it() {
+        for width in [1, 2, 3, 5, 6, 8, 11] {
+            let (left, right) = (20.0, 20.0 + f64::from(width));
+            let sill =
+                [[0.0, 0.0], [left, 0.0], [left, 10.0], [right, 10.0], [right, 0.0], [right + 20.0, 0.0]];
+            let found = points(&sill, false, 4.0);
+            let width = i64::from(width);
+            let filled = |x: i64, y: i64| x < 4 || width - x <= 4 || y >= 6;
+            let cells = (0..width).flat_map(|x| (0..10).map(move |y| (x, y)));
+            let wanted: Vec<_> =
+                cells.filter(|(x, y)| filled(*x, *y)).map(|(x, y)| [2 * (x + 20) + 1, 2 * y + 1]).collect();
+            let mut once = found.clone();
+            once.dedup();
+            assert_eq!(once, found, "{width}: twice");
+            // Nothing but the sill stands above the bed.
+            let above: Vec<_> = found.iter().filter(|p| p[1] > 0).copied().collect();
+            assert_eq!(above, wanted, "{width}");
+        }
     }
 
     #[test]

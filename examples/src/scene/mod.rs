@@ -8,17 +8,18 @@
 //! | `water`, `openings`, `bodies`, `fixed`, `movers` | fluid, where it enters and leaves, elastic and rigid bodies, moved walls |
 //! | `world` | what is stepped: fluid with bodies, or bodies alone |
 //! | `clearance`, `diagnosis` | what is wrong with a scene that can be seen before it runs |
-//! | `probes`, `water_probes`, `interface_probes`, `observer`, `fields`, `slice`, `field_files`, `report`, `units` | what is measured, written, and said |
+//! | `probes`, `columns`, `water_probes`, `interface_probes`, `observer`, `fields`, `slice`, `field_files`, `report`, `units` | what is measured, written, and said |
 //! | `dimension`, `examined` | from the number of dimensions in a file to that in the code; a scene that was examined |
 //! | `run`, `watched` | the run, with all that watches it |
 //! | `watch/*` | what a run is watched for, its post-mortem, and how it is tried again |
-//! | `keeper`, `resume` | its checkpoints, and how it goes on from one |
+//! | `keeper`, `resume`, `leftovers`, `lock` | its checkpoints, how it goes on from one, what an earlier run has left, and that no other one runs there |
 //! | `plan`, `disk` | what a run will cost, and whether there is room for it |
 //! | `table`, `plot`, `harmonics`, `converge` | the probes of runs made before: their plots, what oscillates in them, how far they are apart |
 //! | `print` | the scene that a program describes instead of running it |
 
 mod bodies;
 mod clearance;
+mod columns;
 mod converge;
 mod diagnosis;
 mod dimension;
@@ -34,7 +35,9 @@ mod keeper;
 mod lattice;
 mod law;
 mod layout;
+mod leftovers;
 mod line;
+mod lock;
 mod movers;
 mod observer;
 mod openings;

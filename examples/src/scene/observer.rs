@@ -45,15 +45,14 @@ pub(super) struct Observer<T: Real, const D: usize> {
 
 impl<T: Real, const D: usize> Observer<T, D> {
     /// Begins the table, or goes on with that of a run that `resumes`.
-    pub(super) fn new<K: Kernel<T>>(
+    pub(super) fn new(
         dir: &Path,
         scene: &SceneFile,
-        world: &World<T, D, K>,
+        probes: Vec<Probe<T, D>>,
         resumes: bool,
     ) -> Result<Self, Failure> {
-        let probes = Probe::all(scene, world)?;
         let mut names = vec!["time [s]".to_owned()];
-        names.extend(probes.iter().flat_map(Probe::columns));
+        names.extend(probes.iter().flat_map(Probe::columns).cloned());
         let measured = names.len();
         names.extend(ENERGIES.map(|name| format!("{name} [{}]", units::energy::<D>())));
         names.extend(STEPS.map(str::to_owned));

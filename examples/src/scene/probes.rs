@@ -1,8 +1,8 @@
 //! Probes: from their description to numbers.
 
+use super::columns::columns;
 use super::interface_probes::{WallPart, handed};
 use super::lattice::Place;
-use super::units::{self, each_axis};
 use super::water_probes::{front, level, mean_around};
 use super::{World, vector};
 use crate::Failure;
@@ -12,7 +12,7 @@ use mps_solid::MaterialPoint;
 
 /// A probe in a scene that runs.
 pub(super) struct Probe<T: Real, const D: usize> {
-    name: String,
+    columns: Vec<String>,
     sense: Sense<T, D>,
 }
 
@@ -89,40 +89,12 @@ impl<T: Real, const D: usize> Probe<T, D> {
             }
             Measure::Budget(budget) => Sense::Budget(structures(scene, &budget.on)?),
         };
-        Ok(Self { name: probe.name.clone(), sense })
+        Ok(Self { columns: columns::<D>(probe), sense })
     }
 
-    /// Names of its columns.
-    pub(super) fn columns(&self) -> Vec<String> {
-        let name = &self.name;
-        // A place alone needs no number.
-        let numbered = |places: &[Vector<T, D>]| -> Vec<String> {
-            match places.len() {
-                1 => vec![name.clone()],
-                count => (1..=count).map(|k| format!("{name} {k}")).collect(),
-            }
-        };
-        match &self.sense {
-            Sense::Pressure(places) => numbered(places).iter().map(|name| format!("{name} [Pa]")).collect(),
-            Sense::Velocity(places) => numbered(places)
-                .iter()
-                .flat_map(|name| each_axis::<D>(name, "m/s").collect::<Vec<_>>())
-                .collect(),
-            Sense::Wall(_) => vec![format!("{name} [Pa]")],
-            Sense::Front { .. } | Sense::Level(_) => vec![format!("{name} [m]")],
-            Sense::Displacement { .. } => each_axis::<D>(name, "m").collect(),
-            Sense::Force { .. } => each_axis::<D>(name, units::force::<D>()).collect(),
-            Sense::Budget(_) => {
-                let (linear, turning) = (format!("{name} impulse"), format!("{name} angular impulse"));
-                let unit = units::angular_impulse::<D>();
-                let angular = match D {
-                    2 => vec![format!("{turning} [{unit}]")],
-                    _ => each_axis::<D>(&turning, unit).collect(),
-                };
-                let work = format!("{name} work [{}]", units::energy::<D>());
-                each_axis::<D>(&linear, units::impulse::<D>()).chain(angular).chain([work]).collect()
-            }
-        }
+    /// Headings of its columns.
+    pub(super) fn columns(&self) -> &[String] {
+        &self.columns
     }
 
     /// Saves or restores what it remembers of the row before.

@@ -1,6 +1,7 @@
 //! The plots and the summary of a run.
 
 use super::Layout;
+use super::columns::stem;
 use super::observer::Observer;
 use crate::Failure;
 use crate::series::extremes;
@@ -15,10 +16,9 @@ pub(super) fn plots(dir: &Path, title: &str, table: &CsvTable, measured: usize) 
     let time = &columns[0];
     for k in 1..measured {
         let name = &names[k];
-        let file = name.split(" [").next().unwrap_or(name).replace([' ', '/'], "_");
         CurvePlot::new(title, &names[0], name)
             .line(name, time, &columns[k])
-            .write_png(dir.join(format!("probe_{file}.png")))?;
+            .write_png(dir.join(format!("{}.png", stem(name))))?;
     }
     // Where zero of a potential lies has no meaning: what counts is the change.
     let unit = names.get(measured).and_then(|total| total.rsplit_once(" [")).map_or("J]", |(_, unit)| unit);

@@ -3,11 +3,13 @@
 use super::dimension::AnyLayout;
 use super::fields::Fields;
 use super::keeper::Keeper;
+use super::lock::Lock;
 use super::observer::Observer;
+use super::probes::Probe;
 use super::resume::checkpoints;
 use super::watch::{Guard, PostMortem};
 use super::watched::Watched;
-use super::{Layout, World, report};
+use super::{Layout, World, leftovers, report};
 use crate::{Common, Cost, Failure, Precision, Watch, conclude, enter_compressibility, record};
 use mps_io::checkpoint::{Identity, Rotation};
 use mps_io::scene_file::{SceneFile, Weight};
@@ -17,6 +19,9 @@ use std::path::Path;
 
 /// Name and version that a checkpoint has to be of.
 pub(super) const PROGRAM: &str = concat!("mps ", env!("CARGO_PKG_VERSION"));
+
+/// The scene as it is run, beside its results.
+const KEPT: &str = "scene.toml";
 
 /// What is to be run, and how.
 pub(super) struct Plan<'a> {
@@ -36,7 +41,7 @@ pub(super) type Origin<'a> = Option<(&'a State, &'a Path)>;
 
 /// As [`Examined::run`](super::Examined::run).
 pub(super) fn begin(
-    scene: &SceneFile,
+    (scene, file): (&SceneFile, &Path),
     layout: &AnyLayout,
     name: &str,
     common: &Common,
@@ -45,13 +50,32 @@ pub(super) fn begin(
     let mut common = common.clone();
     common.out = common.out.or_else(|| scene.output.directory.as_ref().map(Into::into));
     let dir = common.output(name)?;
-    // A run that begins has nothing to do with what an earlier one has left here.
+    spare(file, &dir)?;
     let rotation = Rotation::new(checkpoints(&dir));
-    rotation.clear()?;
-    PostMortem::clear(&dir)?;
-    // The scene as it is run, beside its results.
-    let scene = &scene.write_to(&dir)?;
     layout.run_plan(Plan { scene, name, common: &common, end: scene.end_time, interval, rotation }, None)
+}
+
+/// Refuses to write the scene as it is run over the one that somebody wrote, with comments and a layout of its own.
+fn spare(file: &Path, dir: &Path) -> Result<(), Failure> {
+    let kept = dir.join(KEPT);
+    match (file.canonicalize(), kept.canonicalize()) {
+        (Ok(file), Ok(kept)) if file == kept => Err(format!(
+            "the run would replace its scene {} by the same with every default written out: give another --out, or another name \
+             to the scene",
+            kept.display()
+        )
+        .into()),
+        _ => Ok(()),
+    }
+}
+
+/// Makes room for a run that begins, which has nothing to do with what an earlier one has left here. Returns the scene as it is
+/// beside its results.
+fn anew(scene: &SceneFile, dir: &Path, rotation: &Rotation) -> Result<SceneFile, Failure> {
+    rotation.clear()?;
+    PostMortem::clear(dir)?;
+    leftovers::remove(dir)?;
+    Ok(scene.write_to(dir)?)
 }
 
 pub(super) fn run_plan<const D: usize>(
@@ -88,8 +112,12 @@ fn whole<T: Real, const D: usize, K: Kernel<T>>(
     let parallel = common.parallel()?;
     // As at the start of the run also where it goes on: what pictures show is found from there.
     let mut world = World::<T, D, K>::new(scene, layout, weight, &parallel)?;
+    let probes = Probe::all(scene, &world)?;
     let dir = common.output(name)?;
-    let mut observer = Observer::new(&dir, scene, &world, from.is_some())?;
+    let _lock = Lock::take(&dir)?;
+    // Only what has come about so far may take the place of an earlier run.
+    let scene = &if from.is_some() { scene.clone() } else { anew(scene, &dir, &rotation)? };
+    let mut observer = Observer::new(&dir, scene, probes, from.is_some())?;
     let fields = if common.no_fields { None } else { Some(Fields::new(&dir, scene, &world)?) };
     let identity = Identity::new(PROGRAM, common.precision.name(), &scene.to_toml()?);
     let settings = [("name", name), ("fields", if common.no_fields { "no" } else { "yes" })];

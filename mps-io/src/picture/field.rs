@@ -1,5 +1,6 @@
 //! The picture of particle fields: layers, axes, title, colour bars.
 
+use crate::number;
 use mps_kernel::{Real, Vector};
 
 use super::bar::Bar;
@@ -217,7 +218,7 @@ impl FieldPicture {
     fn draw_title(&self, canvas: &mut Canvas, layout: &Layout) {
         let size = 1.2 * canvas.size;
         let (left, right) = (layout.plot.left as f32, layout.plot.right as f32);
-        let time = self.time.map_or(String::new(), |t| format!("t = {t:.3} s"));
+        let time = self.time.map_or(String::new(), |t| format!("t = {} s", number(t, 3, 10.0 * t)));
         let taken = if time.is_empty() { 0.0 } else { canvas.letters.width(&time, size) + size };
         let at = |x| [x, layout.title];
         let title = Text { text: &self.title, size, at: at(left), anchor: Anchor::Start, upwards: false };

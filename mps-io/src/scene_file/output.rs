@@ -12,7 +12,7 @@ pub struct Output {
     /// Directory; `out/` and the name of the scene file if left out
     #[serde(skip_serializing_if = "Option::is_none")]
     pub directory: Option<String>,
-    /// Time between two rows of the table of probes (s); an 800th of the run if left out
+    /// Time between two rows of the table of probes (s); an 800th of the run if left out. Of bodies alone film, fields and pictures are no closer
     #[serde(skip_serializing_if = "Option::is_none")]
     pub probe_interval: Option<f64>,
     /// Form of the table of probes; `"csv"` if left out

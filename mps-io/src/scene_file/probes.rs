@@ -84,7 +84,7 @@ pub struct LevelProbe {
 pub struct DisplacementProbe {
     /// Name of the body
     pub solid: String,
-    /// The point in the undeformed body, at most a spacing outside (m)
+    /// The point in the undeformed body, or on its surface (m)
     pub at: Point,
 }
 

@@ -1,26 +1,27 @@
 //! What can be seen to be wrong with a scene before it runs.
 
 mod bodies;
+mod coarseness;
 mod contacts;
 mod friction;
 mod openings;
 mod part;
+mod probes;
+mod speeds;
+mod thickness;
 
 use super::Layout;
 use super::lattice::Place;
 use crate::Failure;
 use bodies::bodies_apart;
+use coarseness::coarseness;
 use contacts::contacts;
-use mps_io::scene_file::{Clamp, Corners, Problem, Region, SceneFile, Shape, Source};
+use mps_io::scene_file::{Clamp, Problem, SceneFile, Source};
 use mps_neighbors::Parallel;
 use openings::openings;
-
-/// Mach number from which the density varies by more than four percent.
-const MACH: f64 = 0.2;
-/// Particles across a body that give its bending stiffness to some percent.
-const ACROSS: f64 = 3.5;
-/// Something thinner than this many spacings of the fluid does not part the fluid on its two sides.
-const THIN: f64 = 2.0;
+use probes::probes;
+use speeds::speeds;
+use thickness::thickness;
 
 /// What was found.
 #[derive(Clone, Debug, Default)]
@@ -46,14 +47,17 @@ pub(in crate::scene) fn diagnose<const D: usize>(
     parallel: &Parallel,
 ) -> Result<Diagnosis, Failure> {
     let mut found = Diagnosis::default();
-    thickness(scene, source, &mut found);
+    thickness(scene, source, layout, &mut found);
+    coarseness(scene, source, &mut found);
     speeds(scene, source, layout, &mut found);
+    clamps(scene, source, layout, &mut found);
     support(scene, source, layout, &mut found);
     let subject = Subject { scene, source, layout, parallel };
     contacts(&subject, &mut found)?;
     openings(&subject, &mut found)?;
     friction::friction::<D>(scene, source, &mut found);
     bodies_apart(&subject, &mut found)?;
+    probes(&subject, &mut found);
     Ok(found)
 }
 
@@ -66,79 +70,20 @@ struct Subject<'a, const D: usize> {
     parallel: &'a Parallel,
 }
 
-/// Length of the shortest side of the box around a region \[m\].
-fn thinnest(region: &Region) -> f64 {
-    let Some(Corners { lower, upper }) = region.bounds() else { return 0.0 };
-    lower.iter().zip(&upper).map(|(low, high)| high - low).fold(f64::INFINITY, f64::min)
+/// Number of particles of a body that are held.
+fn held<const D: usize>(points: &[(Place<D>, bool)]) -> usize {
+    points.iter().filter(|(_, held)| *held).count()
 }
 
-fn thickness(scene: &SceneFile, source: &Source, found: &mut Diagnosis) {
-    let l0 = scene.fluid.as_ref().map_or(0.0, |fluid| fluid.spacing);
-    let mut parting = |thin: f64, key: &str| {
-        if thin < THIN * l0 * (1.0 - 1e-9) {
-            let what = format!("is {:.2} particles of the fluid thick and needs at least {THIN}", thin / l0);
-            let remedy = format!("make it thicker, or give fluid.spacing at most {:.3e}", thin / THIN);
-            found.refusals.push(source.problem(key, what, remedy));
+/// A region that holds nothing leaves its body as free as none, whatever pulls at it.
+fn clamps<const D: usize>(scene: &SceneFile, source: &Source, layout: &Layout<D>, found: &mut Diagnosis) {
+    for (k, (solid, points)) in scene.solids.iter().zip(&layout.solids).enumerate() {
+        if held(points) == 0 && matches!(solid.clamp, Some(Clamp::Region(_))) {
+            let remedy =
+                "let the region cover the middle of at least one row of particles, or hold a side of a box";
+            let key = format!("solids[{k}].clamp.region");
+            found.refusals.push(source.problem(&key, "holds no particle", remedy));
         }
-    };
-    for (k, wall) in scene.walls.iter().enumerate() {
-        if let Shape::Region(region) = &wall.shape {
-            parting(thinnest(region), &format!("walls[{k}].shape.region"));
-        }
-    }
-    for (k, solid) in scene.solids.iter().enumerate() {
-        parting(thinnest(&solid.region), &format!("solids[{k}].region"));
-    }
-    for (k, body) in scene.fixed.iter().enumerate() {
-        parting(thinnest(&body.region), &format!("fixed[{k}].region"));
-    }
-    for (k, solid) in scene.solids.iter().enumerate() {
-        let across = thinnest(&solid.region) / solid.spacing;
-        found.across.push(across);
-        if across < ACROSS {
-            let what = format!("makes {across:.1} particles across the thinnest side");
-            let remedy = format!(
-                "give at most {:.3e}: 4 across are usual, 8 for errors below a percent",
-                solid.spacing * across / 4.0
-            );
-            found.warnings.push(source.problem(&format!("solids[{k}].spacing"), what, remedy));
-        }
-    }
-}
-
-fn speeds<const D: usize>(scene: &SceneFile, source: &Source, layout: &Layout<D>, found: &mut Diagnosis) {
-    let Some(fluid) = &scene.fluid else { return };
-    let gravity = super::vector::<f64, D>(&scene.gravity);
-    let g = gravity.norm();
-    // How far fluid can fall: from its highest place to the lowest of fluid and wall surfaces.
-    let height = |place: &Place<D>| if g > 0.0 { -gravity.dot(&super::vector(place)) / g } else { 0.0 };
-    let walls = layout.walls.iter().flatten().flat_map(|points| &points.places);
-    let depth = fluid.numerics.radius * fluid.spacing;
-    let lowest_wall = walls.map(height).fold(f64::INFINITY, f64::min) + depth;
-    let heights = || layout.fluid.iter().flatten().map(height);
-    let lowest = heights().fold(f64::INFINITY, f64::min).min(lowest_wall);
-    let fall = heights().fold(f64::NEG_INFINITY, f64::max) - lowest;
-    let falling = (2.0 * g * fall.max(0.0)).sqrt();
-    let thrown = fluid.bodies.iter().map(|body| super::vector::<f64, D>(&body.velocity).norm());
-    let entering = fluid.inlets.iter().map(|inlet| inlet.mean_speed * inlet.profile.largest());
-    let speed = thrown.chain(entering).fold(0.0, f64::max).hypot(falling);
-    let (sound, mach) = (fluid.sound(), speed / fluid.sound());
-    found.mach = Some(mach);
-    let key = if fluid.sound_speed.is_some() { "fluid.sound_speed" } else { "fluid.expected_speed" };
-    let what = format!(
-        "makes the sound {sound:.3} m/s fast, and fluid may reach {speed:.3} m/s: Mach {mach:.2}, \
-         the density would vary by {:.0} %",
-        100.0 * mach * mach
-    );
-    let remedy = if fluid.sound_speed.is_some() {
-        format!("give about {:.3}", 10.0 * speed)
-    } else {
-        format!("give about {speed:.3}")
-    };
-    if mach > 1.0 {
-        found.refusals.push(source.problem(key, what, remedy));
-    } else if mach > MACH {
-        found.warnings.push(source.problem(key, what, remedy));
     }
 }
 
@@ -173,18 +118,10 @@ fn support<const D: usize>(scene: &SceneFile, source: &Source, layout: &Layout<D
         }
     }
     for (k, (solid, points)) in scene.solids.iter().zip(&layout.solids).enumerate() {
-        let held = points.iter().filter(|(_, held)| *held).count();
-        let key = format!("solids[{k}]");
-        if held == 0 && matches!(solid.clamp, Some(Clamp::Region(_))) {
-            let remedy =
-                "let the region cover the middle of at least one row of particles, or hold a side of a box";
-            found.refusals.push(source.problem(&format!("{key}.clamp.region"), "holds no particle", remedy));
-        } else if held == 0 && scene.fluid.is_none() {
-            found.warnings.push(source.problem(
-                &key,
-                "is held nowhere",
-                "it falls: add a clamp, or leave gravity out",
-            ));
+        let refused = matches!(solid.clamp, Some(Clamp::Region(_)));
+        if held(points) == 0 && !refused && scene.fluid.is_none() {
+            let remedy = "it falls: add a clamp, or leave gravity out";
+            found.warnings.push(source.problem(&format!("solids[{k}]"), "is held nowhere", remedy));
         }
     }
 }

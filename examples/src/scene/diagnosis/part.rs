@@ -2,6 +2,7 @@
 
 use super::super::Layout;
 use super::super::lattice::Place;
+use mps_io::number;
 use mps_io::scene_file::SceneFile;
 
 /// Points of two parts in contact are half the sum of their spacings apart. Less than this share of it, and one is
@@ -52,5 +53,18 @@ fn apart<const D: usize>(a: &Place<D>, b: &Place<D>) -> f64 {
 
 /// A place in words.
 pub(super) fn words<const D: usize>(place: &Place<D>) -> String {
-    format!("({})", place.map(|x| format!("{x:.4}")).join(", "))
+    // A place in a scene of a millimetre needs more digits.
+    let scale = 0.1 * place.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
+    format!("({})", place.map(|x| number(x, 4, scale)).join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::words;
+
+    #[test]
+    fn places_of_small_scenes_are_told_apart() {
+        assert_eq!(words(&[0.2, 0.0035]), "(0.2000, 0.0035)");
+        assert_eq!(words(&[2e-6, -3.5e-7, 0.0]), "(2.0000e-6, -3.5000e-7, 0.0000)");
+    }
 }

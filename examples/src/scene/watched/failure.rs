@@ -5,6 +5,7 @@ use super::course::{Course, transfer_run};
 use super::output::Output;
 use crate::Failure;
 use crate::scene::observer::Observer;
+use crate::scene::probes::Probe;
 use crate::scene::watch::{Dissected, Good, PostMortem, Setbacks};
 use mps_kernel::{Kernel, Real, State};
 use std::path::Path;
@@ -66,7 +67,8 @@ impl<T: Real, const D: usize, K: Kernel<T>> Watched<'_, T, D, K> {
         mps_io::prepare_output(dir)?;
         self.scene.write_to(dir)?;
         // The repetition has a table of its own, which begins here, and no fields.
-        let mut observer = Observer::new(dir, self.scene, self.course.world, false)?;
+        let probes = Probe::all(self.scene, self.course.world)?;
+        let mut observer = Observer::new(dir, self.scene, probes, false)?;
         let mut output = Output::new(self.scene, &mut observer, None);
         let (course, stepping) = (&mut self.course, &mut self.stepping);
         let state = State::save(|transfer| transfer_run(course, &mut output, stepping, transfer))?;

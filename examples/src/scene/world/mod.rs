@@ -49,7 +49,8 @@ impl<T: Real, const D: usize, K: Kernel<T>> World<T, D, K> {
             scene.solids.iter().map(|solid| Ok(ElasticBody::new(body(solid, background, parallel)?)));
         let bodies = bodies.collect::<Result<Vec<Elastic<T, D>>, Failure>>()?;
         let Some(fluid) = &scene.fluid else {
-            let [interval, ..] = scene.output.intervals(scene.end_time);
+            // A row that would be after the end is at the end.
+            let interval = scene.output.intervals(scene.end_time)[0].min(scene.end_time);
             return Ok(Self::Dry(Dry::new(bodies, vector(&scene.gravity), interval, parallel)));
         };
         let (fluid, movers) = water(scene, fluid, layout, weight)?;
@@ -62,7 +63,8 @@ impl<T: Real, const D: usize, K: Kernel<T>> World<T, D, K> {
             wet.add_structure(parallel, Box::new(points.body()), slip(fixed.slip))?;
         }
         let (elastic, cfl) = (scene.solids.len(), wet.fluid().config().cfl);
-        Ok(Self::Wet(Box::new(Wet { scene: wet, movers, elastic, last_dt: 0.0, cfl })))
+        let walls = layout.walls_len();
+        Ok(Self::Wet(Box::new(Wet { scene: wet, movers, walls, elastic, last_dt: 0.0, cfl })))
     }
 
     /// One step of the fluid, or of bodies alone one interval of the table of probes; returns the length of a step
@@ -201,6 +203,14 @@ impl<T: Real, const D: usize, K: Kernel<T>> World<T, D, K> {
             Self::Dry(_) => None,
         };
         wet.into_iter().flat_map(|wet| (wet.elastic..).map_while(|k| wet.scene.structure(k)))
+    }
+
+    /// Numbers of the points of walls that stand still, and of those that move.
+    pub(super) fn wall_points(&self) -> [Vec<u32>; 2] {
+        match self {
+            Self::Wet(wet) => wet.wall_points(),
+            Self::Dry(_) => [Vec::new(), Vec::new()],
+        }
     }
 
     /// Energies of fluid and bodies.

@@ -11,6 +11,8 @@ use mps_neighbors::Parallel;
 pub struct Wet<T: Real, const D: usize, K: Kernel<T>> {
     pub(super) scene: Scene<T, D, K, Viscous<T>>,
     pub(super) movers: Vec<Mover<T, D>>,
+    /// Number of points of the walls, with which the boundary begins.
+    pub(super) walls: usize,
     /// Number of elastic bodies, which come before the fixed ones.
     pub(super) elastic: usize,
     pub(super) last_dt: f64,
@@ -20,10 +22,17 @@ pub struct Wet<T: Real, const D: usize, K: Kernel<T>> {
 
 impl<T: Real, const D: usize, K: Kernel<T>> Wet<T, D, K> {
     pub(super) fn transfer(&mut self, parallel: &Parallel, transfer: &mut Transfer<'_>) {
-        // Movers take their velocities from the time, and their places are those of the boundary.
-        let Self { scene, movers: _, elastic: _, last_dt, cfl: _ } = self;
+        let Self { scene, movers, walls: _, elastic: _, last_dt, cfl: _ } = self;
         transfer.within("scene", |transfer| scene.transfer(parallel, transfer));
+        movers.iter_mut().for_each(|mover| mover.transfer(transfer));
         transfer.value("last step", last_dt);
+    }
+
+    /// Numbers of the points of walls that stand still, and of those that move.
+    pub(super) fn wall_points(&self) -> [Vec<u32>; 2] {
+        let moves = |k: &usize| self.movers.iter().any(|mover| mover.range().contains(k));
+        let (moving, still): (Vec<usize>, Vec<usize>) = (0..self.walls).partition(moves);
+        [still, moving].map(|points| points.into_iter().map(|k| k as u32).collect())
     }
 
     /// Shows the fluid the velocities of moved walls.
@@ -38,7 +47,7 @@ impl<T: Real, const D: usize, K: Kernel<T>> Wet<T, D, K> {
         self.show_motions();
         // Whole steps to the end: a shortened one would show as a jump of the energy.
         let dt = self.scene.step(parallel, T::of(f64::INFINITY))?;
-        for mover in &self.movers {
+        for mover in &mut self.movers {
             mover.move_on(self.scene.fluid_mut().boundary_mut(), dt);
         }
         self.last_dt = dt.to_double();

@@ -168,7 +168,8 @@ impl Checker<'_> {
             Some(Clamp::Disc(disc)) => self.rows(disc, &solid.region, &at("clamp.disc")),
             Some(Clamp::Region(held)) => {
                 let before = self.problems.len();
-                self.region(held, solid.spacing, &at("clamp.region"));
+                // It is not filled, and may be as large as one likes.
+                self.shape(held, &at("clamp.region"));
                 if self.problems.len() == before && !overlap(held, &solid.region) {
                     self.unless(
                         false,

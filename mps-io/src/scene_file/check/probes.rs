@@ -1,6 +1,7 @@
 //! What is measured.
 
-use super::super::probes::{LineProbe, Measure, Probe};
+use super::super::fixed::{Fixed, Packing};
+use super::super::probes::{LineProbe, Measure, Probe, WallPressureProbe};
 use super::super::scene::SceneFile;
 use super::super::suggest::advice;
 use super::Checker;
@@ -40,11 +41,16 @@ impl Checker<'_> {
                 let known = names.contains(&wall.on.as_str());
                 self.unless(known, &format!("{key}.on"), what, advice(&wall.on, &names));
                 self.ends(&wall.from, &wall.to, &key);
+                let on = scene.fixed.iter().find(|body| body.name == wall.on);
+                let fluid = scene.fluid.as_ref().map(|fluid| fluid.spacing);
+                if let (Some(body), Some(l0)) = (on, fluid) {
+                    self.whole_rows(wall, body, body.spacing.unwrap_or(l0), &format!("{key}.to"));
+                }
             }
             Measure::Force(force) => self.bodies(&force.on, scene, &format!("{key}.force.on")),
             Measure::Budget(budget) => self.bodies(&budget.on, scene, &format!("{key}.budget.on")),
             Measure::Displacement(displacement) => {
-                let (at, named) = (format!("{key}.displacement.at"), &displacement.solid);
+                let (place, named) = (format!("{key}.displacement.at"), &displacement.solid);
                 let names: Vec<&str> = scene.solids.iter().map(|solid| solid.name.as_str()).collect();
                 let Some(solid) = scene.solids.iter().find(|solid| solid.name == *named) else {
                     let what = format!("is {named:?}, and no solid has this name");
@@ -55,10 +61,14 @@ impl Checker<'_> {
                         advice(named, &names),
                     );
                 };
-                if self.point(&displacement.at, &at) {
-                    let inside = solid.region.contains(&displacement.at, solid.spacing);
+                if self.point(&displacement.at, &place) {
+                    // A margin would widen what a difference takes away as well.
+                    let (at, margin) = (&displacement.at, 1e-6 * solid.spacing);
+                    let near = || solid.region.surface()?.nearest(at).map(|foot| -foot.depth);
+                    let inside = solid.region.contains(at, margin)
+                        || near().is_some_and(|apart| apart <= solid.spacing);
                     let what = format!("is {:?}, outside the body {named:?}", displacement.at);
-                    self.unless(inside, &at, what, "give a point of the undeformed body");
+                    self.unless(inside, &place, what, "give a point of the undeformed body");
                 }
             }
         }
@@ -69,6 +79,17 @@ impl Checker<'_> {
         let few = "give 2 to 100: each is a column, or one per dimension";
         self.unless((2..=100).contains(&line.points), &format!("{key}.points"), points, few);
         self.ends(&line.from, &line.to, key);
+    }
+
+    /// Every point behind a wall bears what a spacing of it does: a part of a spacing would be counted whole, or not at all. Rings and
+    /// rows are fitted to their body, and their points nearly a spacing apart.
+    fn whole_rows(&mut self, wall: &WallPressureProbe, body: &Fixed, spacing: f64, key: &str) {
+        let square: f64 = wall.from.iter().zip(&wall.to).map(|(a, b)| (b - a) * (b - a)).sum();
+        let cells = square.sqrt() / spacing;
+        let even = matches!(body.packing, Packing::Lattice | Packing::Fitted);
+        let whole = cells > 0.5 && (cells - cells.round()).abs() < 0.01;
+        let what = format!("is {cells:.2} spacings of the body from `from`");
+        self.unless(whole || !even, key, what, "give a whole number of them, 1 at least");
     }
 
     /// The ends of a line.

@@ -5,6 +5,9 @@ use super::super::scene::SceneFile;
 use super::super::walls::Slip;
 use super::Checker;
 
+/// Bytes of the longest name: with what is put before and behind it it is the name of a file.
+const LONGEST: usize = 200;
+
 impl Checker<'_> {
     pub(super) fn whole(&mut self, scene: &SceneFile) {
         let good = [2, 3].contains(&scene.dimension);
@@ -93,10 +96,11 @@ impl Checker<'_> {
     fn names<'n>(&mut self, names: impl Iterator<Item = (String, &'n String)>) {
         let mut known: Vec<&str> = Vec::new();
         for (key, name) in names {
-            let good =
-                !name.trim().is_empty() && !name.contains(['/', '\\', '\n', '"']) && !name.starts_with('.');
+            let named = !name.trim().is_empty() && !name.starts_with('.');
+            let plain = !name.contains(|c: char| c.is_control() || "/\\:\"".contains(c));
+            let good = named && plain && name.len() <= LONGEST;
             let what = format!("is {name:?}");
-            self.unless(good, &key, &what, "give it letters, digits, spaces or dashes");
+            self.unless(good, &key, &what, "give it letters, digits, spaces or dashes, at most 200");
             self.unless(
                 !known.contains(&name.as_str()),
                 &key,
