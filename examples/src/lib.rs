@@ -28,6 +28,7 @@ pub mod solid;
 mod stop;
 pub mod submerged;
 mod watch;
+mod waving;
 mod weight;
 mod words;
 
@@ -44,6 +45,7 @@ pub use rings::rings;
 pub use schedule::{Due, Moments};
 pub use stop::{Asked, Stop, Stopped};
 pub use watch::Watch;
+pub use waving::Waving;
 pub use weight::Weight;
 pub use words::{closing_words, report_failure};
 

@@ -2,8 +2,10 @@
 
 mod added_mass;
 mod exchange;
+mod layer;
 mod plate;
 mod submerged;
+mod waving;
 
 use mps_examples::exact::Case;
 
@@ -13,6 +15,7 @@ pub(crate) fn cases() -> Vec<Box<dyn Case>> {
         Box::new(exchange::Exchange),
         Box::new(added_mass::AddedMass),
         Box::new(plate::Plate),
+        Box::new(waving::WavingPlate),
         Box::new(plate::Square),
         Box::new(submerged::Submerged),
     ]
