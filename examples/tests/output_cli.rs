@@ -318,26 +318,17 @@ fn a_piston_moves_in_paraview() {
     assert!(frames("water") >= 4 && frame(0) != frame(3));
 }
 
-/// Bodies alone are stepped from row to row: a run ends at its end whatever their interval, and films have the frames they should.
+/// Bodies alone are stepped from row to row: the last row is at the end, and every frame is there once, however times are rounded.
 #[test]
-fn bodies_alone_end_at_the_end_and_are_filmed_once() {
-    const BEAM: &str = include_str!("../scenes/heavy-beam.toml");
+fn bodies_alone_end_at_the_end_and_are_written_once() {
+    let beam = include_str!("../scenes/heavy-beam.toml");
     let file = tank("beam", "").with_file_name("beam.toml");
-    let mut runs = Vec::new();
-    for (name, output, end) in [("long rows", "probe_interval = 1.0", "0.05"), ("usual rows", "", "0.1")] {
-        std::fs::write(
-            &file,
-            format!("{BEAM}\n[output]\n{output}\nframe_interval = 0\npicture_interval = 0\n"),
-        )
-        .unwrap();
-        let dir = fresh("output", name);
-        let run = ["run", file.to_str().unwrap(), "--end-time", end, "--quiet"];
-        let done = execute(MPS, &dir, &run);
-        assert!(done.status.success(), "{}", words(&done.stderr));
-        runs.push((CsvTable::read(dir.join("probes.csv")).unwrap().columns[0].clone(), dir));
-    }
-    assert_eq!(runs[0].0, [0.0, 0.05]);
-    let (time, dir) = &runs[1];
+    std::fs::write(&file, format!("{beam}\n[output]\nframe_interval = 0\npicture_interval = 0\n")).unwrap();
+    let dir = fresh("output", "beam");
+    let run = ["run", file.to_str().unwrap(), "--end-time", "0.1", "--quiet"];
+    let done = execute(MPS, &dir, &run);
+    assert!(done.status.success(), "{}", words(&done.stderr));
+    let time = CsvTable::read(dir.join("probes.csv")).unwrap().columns[0].clone();
     assert!(time.len() == 801 && (time[800] / 0.1 - 1.0).abs() < 1e-12, "{} rows", time.len());
     let list = std::fs::read_to_string(dir.join("fields/solid beam.pvd")).unwrap();
     assert_eq!(list.matches("timestep=").count(), 41);

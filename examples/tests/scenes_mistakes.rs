@@ -8,6 +8,7 @@ use std::process::{Command, Output};
 
 const SCENE: &str = include_str!("../scenes/two-reservoirs.toml");
 const WAVES: &str = include_str!("../scenes/wave-maker.toml");
+const BEAM: &str = include_str!("../scenes/heavy-beam.toml");
 const CHANNEL: &str = include_str!("../scenes/turek-hron.toml");
 
 /// Checks a text in a directory of its own, so that messages name it `scene.toml`.
@@ -302,7 +303,6 @@ fn every_mistake_has_a_message_with_place_and_remedy() {
 /// Points near what was cut out of a body are points of it.
 #[test]
 fn a_point_beside_a_hole_can_be_measured() {
-    const BEAM: &str = include_str!("../scenes/heavy-beam.toml");
     for at in ["[0.2, 0.032]", "[0.2, 0.03]", "[0.185, 0.02]"] {
         let scene = BEAM.replace("at = [0.2, 0.0]", &format!("at = {at}"));
         assert_ne!(scene, BEAM);
@@ -387,6 +387,13 @@ fn what_is_doubtful_is_a_warning() {
             "expected_speed = 1.6",
             "expected_speed = 0.6",
             "fluid.expected_speed makes the sound 6.000 m/s fast",
+        ),
+        (
+            BEAM,
+            "rows longer than the run",
+            "end_time = 1.0",
+            "end_time = 1.0\noutput = { probe_interval = 2.0 }",
+            "output.probe_interval is longer than the run of 1e0 s, and bodies alone are stepped from row to row",
         ),
         (
             WAVES,

@@ -5,7 +5,7 @@
 //! | `lattice`, `fitted`, `line` | points that fill regions, follow their surfaces, and lie along walls |
 //! | `layout` | all points of a scene, before any physics |
 //! | `law`, `viscosity` | materials and viscosities by name |
-//! | `water`, `openings`, `bodies`, `fixed`, `movers` | fluid, where it enters and leaves, elastic and rigid bodies, moved walls |
+//! | `water`, `start`, `openings`, `bodies`, `fixed`, `movers` | fluid and its pressure at the start, where it enters and leaves, elastic and rigid bodies, moved walls |
 //! | `world` | what is stepped: fluid with bodies, or bodies alone |
 //! | `clearance`, `diagnosis` | what is wrong with a scene that can be seen before it runs |
 //! | `probes`, `columns`, `water_probes`, `interface_probes`, `observer`, `fields`, `slice`, `field_files`, `report`, `units` | what is measured, written, and said |
@@ -50,6 +50,7 @@ mod report;
 mod resume;
 mod run;
 mod slice;
+mod start;
 mod table;
 mod units;
 mod viscosity;

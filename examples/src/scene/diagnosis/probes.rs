@@ -11,6 +11,7 @@ use mps_io::scene_file::{Fixed, Measure, Packing, Region, WallPressureProbe};
 /// What a run would refuse after everything has been built is known before.
 pub(super) fn probes<const D: usize>(subject: &Subject<'_, D>, found: &mut Diagnosis) {
     let Subject { scene, source, layout, parallel } = *subject;
+    rows(subject, found);
     if let Some(([first, second], heading)) = twice::<D>(scene) {
         let other = &scene.probes[first].name;
         let what = format!("makes a column {heading:?}, whose plot has the name of one of {other:?}");
@@ -48,6 +49,17 @@ pub(super) fn probes<const D: usize>(subject: &Subject<'_, D>, found: &mut Diagn
             }
             _ => {}
         }
+    }
+}
+
+/// Bodies alone are stepped from row to row, in whole steps: the end of a run may be cut off and gone beyond, and its rows are the same.
+fn rows<const D: usize>(Subject { scene, source, .. }: &Subject<'_, D>, found: &mut Diagnosis) {
+    let ([interval, ..], end) = (scene.output.intervals(scene.end_time), scene.end_time);
+    if scene.fluid.is_none() && interval > end * (1.0 + 1e-9) {
+        let what =
+            format!("is longer than the run of {end:e} s, and bodies alone are stepped from row to row");
+        let remedy = format!("give at most {end:e}, or the run lasts as long as a row");
+        found.warnings.push(source.problem("output.probe_interval", what, remedy));
     }
 }
 

@@ -7,8 +7,9 @@ use mps_io::scene_file::{Corners, Disc, Fluid, Region, SceneFile, Shape, Source,
 
 /// Particles across a body that give its bending stiffness to some percent.
 const ACROSS: f64 = 3.5;
-/// Something thinner than this many spacings of the fluid is refused where more are needed: each side feels the other strongly.
-const THIN: f64 = 2.0;
+/// Something thinner than this many spacings of the fluid is refused where more are needed: each side feels the other strongly. What is
+/// round and made of straight pieces is a little thinner than its two spacings.
+const THIN: f64 = 1.9;
 /// Most particles of a body that are asked how deep they are.
 const SAMPLES: usize = 200;
 /// Most steps to the deepest place of a body, and how exactly it is found, over the spacing.

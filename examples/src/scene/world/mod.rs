@@ -49,8 +49,7 @@ impl<T: Real, const D: usize, K: Kernel<T>> World<T, D, K> {
             scene.solids.iter().map(|solid| Ok(ElasticBody::new(body(solid, background, parallel)?)));
         let bodies = bodies.collect::<Result<Vec<Elastic<T, D>>, Failure>>()?;
         let Some(fluid) = &scene.fluid else {
-            // A row that would be after the end is at the end.
-            let interval = scene.output.intervals(scene.end_time)[0].min(scene.end_time);
+            let [interval, ..] = scene.output.intervals(scene.end_time);
             return Ok(Self::Dry(Dry::new(bodies, vector(&scene.gravity), interval, parallel)));
         };
         let (fluid, movers) = water(scene, fluid, layout, weight)?;
