@@ -71,6 +71,8 @@ const COUPLING: &[(&str, &str, u64, f64)] = &[
     ("exchange", "books, momentum", 4, 1e-12),
     ("exchange", "books, angular momentum", 4, 1e-12),
     ("added-mass", "frequency", 10, 0.001),
+    ("waving-plate", "frequency", 20, 0.025),
+    ("waving-plate", "decay", 20, 0.73),
     ("plate", "over the same solid without water", 4, 0.007),
     ("square-plate", "over the same solid without water", 2, 0.0075),
     ("submerged-beam", "deflection of the end", 4, 0.04),

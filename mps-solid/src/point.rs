@@ -68,7 +68,7 @@ where
     M: ConstitutiveModel<T, D>,
     K: Kernel<T>,
 {
-    /// The point at `reference` \[m\] in the undeformed body, inside or up to about half a spacing outside.
+    /// The point at `reference` \[m\] in the undeformed body, inside or up to about a spacing outside.
     ///
     /// # Errors
     /// If too few particles are near.
@@ -80,7 +80,9 @@ where
             let d = (x - reference).component_div(&self.spacing);
             let distance = d.norm();
             if distance < reach {
-                near.push((j as u32, WendlandC2.weight(distance, reach), d));
+                let near_zero = T::of(1e-6);
+                let (w, _) = WendlandC2.weight_and_over_r2(distance.max(near_zero), reach);
+                near.push((j as u32, w, d));
             }
         }
         let total: T = near.iter().fold(T::zero(), |sum, (_, w, _)| sum + *w);

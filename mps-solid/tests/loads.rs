@@ -117,21 +117,3 @@ fn a_body_that_nothing_holds_does_not_settle() {
     let failed = solid.relax(&Parallel::serial(), &V::new(0.0, -1.0), nothing, &few);
     assert!(matches!(failed, Err(SolidError::NotSettled { steps: 50, .. })));
 }
-
-/// A particle comes in and goes out with weight zero: two points a hair apart have nearly the same weights.
-#[test]
-fn the_weights_of_a_point_change_smoothly() {
-    let square = body::block(V::zeros(), V::repeat(1.0), [10, 10], &[]).unwrap();
-    let solid = build(&square, 1.0, CorotationalHooke::new(1.0, 0.3).unwrap());
-    let all = |x: f64| {
-        let mut weights = vec![0.0; solid.len()];
-        for (j, psi) in solid.point(V::new(x, 0.45)).unwrap().weights() {
-            weights[*j as usize] = *psi;
-        }
-        weights
-    };
-    // Two spacings from the particles at 0.25 and at 0.65.
-    let (before, behind) = (all(0.45 - 1e-7), all(0.45 + 1e-7));
-    let jump = before.iter().zip(&behind).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    assert!(jump < 1e-5, "{jump:e}");
-}
