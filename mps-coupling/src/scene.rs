@@ -136,7 +136,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// at different times then, to be looked at, and every further step is refused until a saved state is restored
     /// ([`transfer`](Self::transfer)).
     pub fn step(&mut self, parallel: &Parallel, longest: T) -> Result<T, CouplingError> {
-        // So that NaN is not.
+        // Asked this way NaN is refused as well.
         let is_a_step = longest > T::zero();
         if !is_a_step {
             return Err(CouplingError::Step { longest: longest.to_double() });

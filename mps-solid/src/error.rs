@@ -102,7 +102,7 @@ pub enum SolidError {
     },
     /// A point of the drawing has too few particles around it.
     #[error(
-        "the point {point:?} has too few particles around it: it must lie in the undeformed body or at most a spacing outside"
+        "the point {point:?} has too few particles around it: it must lie in the undeformed body or on its surface"
     )]
     Outside {
         /// The point \[m\].

@@ -68,7 +68,7 @@ where
     M: ConstitutiveModel<T, D>,
     K: Kernel<T>,
 {
-    /// The point at `reference` \[m\] in the undeformed body, inside or up to about a spacing outside.
+    /// The point at `reference` \[m\] in the undeformed body, inside or on its surface; a little outside it works where enough particles are near.
     ///
     /// # Errors
     /// If too few particles are near.

@@ -60,16 +60,17 @@ impl Newton {
         self.validate()?;
         let mut stiffness = Stiffness::new(solid)?;
         stiffness.freedoms.check("force", force)?;
+        let load = stiffness.freedoms.gather(|i, axis| force[i][axis] + solid.masses()[i] * gravity[axis]);
+        let value = norm(&load);
+        if !value.is_finite() {
+            return Err(
+                SolidError::Parameter { name: "force", must: "finite on every particle", value }.into()
+            );
+        }
         solid.refresh(parallel)?;
         solid.settle_material(parallel)?;
-        let load = stiffness.freedoms.gather(|i, axis| force[i][axis] + solid.masses()[i] * gravity[axis]);
         let start = imbalance(&stiffness, solid, &load);
-        let size = norm(&load) + norm(&start);
-        if !size.is_finite() {
-            let (must, value) = ("finite on every particle", size);
-            return Err(SolidError::Parameter { name: "force", must, value }.into());
-        }
-        let size = norm(&load).max(norm(&start));
+        let size = value.max(norm(&start));
         let mut found = Equilibrium { iterations: 0, parts: 0, residual: 0.0 };
         let (mut factor, mut part) = (0.0, 1.0_f64);
         let mut settled = solid.particles.position.clone();
