@@ -39,8 +39,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
 impl<T: Real, const D: usize> Body<T, D> {
     fn transfer(&mut self, transfer: &mut Transfer<'_>) {
-        // The start of a step is taken anew in every step.
-        let Self { structure, interface, range, force, start: _ } = self;
+        // Found anew in every step.
+        let Self { structure, interface, range, force, start: _, swept: _ } = self;
         transfer.same("first point of the boundary", range.start);
         transfer.within("body", |transfer| structure.transfer(transfer));
         transfer.within("interface", |transfer| interface.transfer(transfer));

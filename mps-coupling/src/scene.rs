@@ -18,6 +18,8 @@ pub(crate) struct Body<T: Real, const D: usize> {
     pub(crate) force: Vec<Vector<T, D>>,
     /// Positions of its points at the start of the step \[m\].
     pub(crate) start: Vec<Vector<T, D>>,
+    /// Sum of the mean velocities of the points the fluid sees, over the sub-steps so far \[m/s\].
+    pub(crate) swept: Vec<Vector<T, D>>,
 }
 
 impl<T: Real, const D: usize> Body<T, D> {
@@ -25,6 +27,14 @@ impl<T: Real, const D: usize> Body<T, D> {
     fn gather<K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>(&mut self, fluid: &Fluid<T, D, K, V, P>) {
         for (a, &i) in self.range.clone().zip(&self.interface.visible) {
             self.force[i as usize] = fluid.force_on(a);
+        }
+    }
+
+    /// Adds the mean velocities of the last sub-step.
+    fn sweep(&mut self) {
+        let velocities = self.structure.mean_velocities();
+        for (sum, &i) in self.swept.iter_mut().zip(&self.interface.visible) {
+            *sum += velocities[i as usize];
         }
     }
 
@@ -120,7 +130,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         );
         let force = vec![Vector::zeros(); positions.len()];
         let start = positions.to_vec();
-        self.bodies.push(Body { structure, interface, range, force, start });
+        let swept = vec![Vector::zeros(); interface.visible.len()];
+        self.bodies.push(Body { structure, interface, range, force, start, swept });
         self.budget.handed.push(Handed::default());
         Ok(index)
     }
@@ -184,6 +195,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let time = self.fluid.time().to_double();
         for body in &mut self.bodies {
             body.start.copy_from_slice(body.structure.positions());
+            body.swept.fill(Vector::zeros());
         }
         // Those of the last sub-step, where the forces were found with the mean over the last step.
         for body in &self.bodies {
@@ -204,17 +216,19 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                     dt: sub_dt,
                 };
                 self.budget.handed[index].book(&self.budget.center, &step);
+                body.sweep();
             }
             for body in &self.bodies {
                 body.show_velocities(&mut self.fluid);
             }
             self.fluid.compress_interface(parallel, sub_dt);
         }
-        for body in &mut self.bodies {
-            let positions = body.structure.positions();
-            let boundary = self.fluid.boundary_mut();
-            for (a, &i) in body.range.clone().zip(&body.interface.visible) {
-                boundary.velocity[a] = (positions[i as usize] - body.start[i as usize]) / dt;
+        // Not the way over the step, which in single precision is a few units of the last place of a position.
+        let share = T::one() / T::of(self.substeps as f64);
+        let boundary = self.fluid.boundary_mut();
+        for body in &self.bodies {
+            for (a, sum) in body.range.clone().zip(&body.swept) {
+                boundary.velocity[a] = sum * share;
             }
         }
         Ok(())

@@ -11,6 +11,7 @@
 //! Rayleigh quotient of the motion. Masses are those of the body and the step is its stable one, so that a thin
 //! body needs about as many steps as a few periods of its slowest mode.
 
+use crate::sweeps::go;
 use crate::{ConstitutiveModel, Solid, SolidError, SolidParticles};
 use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::Parallel;
@@ -130,9 +131,10 @@ where
             let kick = T::of(2.0) * dt / (T::of(2.0) + damping * dt);
             let SolidParticles { position, velocity, mass, .. } = &mut self.particles;
             let mass = &*mass;
-            parallel.update((position.as_mut_slice(), velocity.as_mut_slice()), |i, (x, u)| {
+            let moved = (position.as_mut_slice(), velocity.as_mut_slice(), self.remainder.as_mut_slice());
+            parallel.update(moved, |i, (x, u, remainder)| {
                 *u = *u * keep + total[i] * (kick / mass[i]);
-                *x += *u * dt;
+                *x = go(x, *u * dt, remainder);
             });
             core::mem::swap(&mut before, &mut total);
             self.refresh(parallel)?;

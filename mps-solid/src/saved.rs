@@ -27,6 +27,7 @@ where
             wave_speed: _,
             stability_limit,
             mean_velocity,
+            remainder,
             time,
             motions,
             placements: _,
@@ -38,6 +39,7 @@ where
         transfer.within("particles", |transfer| transfer.fixed_particles(particles));
         transfer.array("history", history);
         transfer.array("mean velocity", mean_velocity);
+        transfer.array("remainder", remainder);
         transfer.value("stability limit", stability_limit);
         transfer.within("time", |transfer| time.transfer(transfer));
         transfer.flag("stale", stale);

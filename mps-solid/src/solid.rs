@@ -32,6 +32,8 @@ where
     pub(crate) wave_speed: T,
     pub(crate) stability_limit: T,
     pub(crate) mean_velocity: Vec<Vector<T, D>>,
+    /// What of the way of each particle is less than the last place of its position \[m\].
+    pub(crate) remainder: Vec<Vector<T, D>>,
     pub(crate) time: Clock<T>,
     pub(crate) motions: Vec<Motion<T, D>>,
     pub(crate) placements: Vec<Placement<T, D>>,
@@ -78,6 +80,7 @@ where
             wave_speed: material.wave_speed(density),
             stability_limit: T::zero(),
             mean_velocity: vec![Vector::zeros(); len],
+            remainder: vec![Vector::zeros(); len],
             time: Clock::default(),
             motions: Vec::new(),
             placements: Vec::new(),
@@ -154,8 +157,10 @@ where
         self.forces(parallel);
         self.kick_and_drift(parallel, force, gravity, half, T::zero());
 
-        let (position, start) = (&self.particles.position, &self.before.position);
-        parallel.update(self.mean_velocity.as_mut_slice(), |i, mean| *mean = (position[i] - start[i]) / dt);
+        let (position, remainder, before) = (&self.particles.position, &self.remainder, &self.before);
+        parallel.update(self.mean_velocity.as_mut_slice(), |i, mean| {
+            *mean = (position[i] - before.position[i] + (remainder[i] - before.remainder[i])) / dt;
+        });
         Ok(())
     }
 

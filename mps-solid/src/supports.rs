@@ -86,6 +86,11 @@ impl<T: Real, const D: usize> Held<'_, T, D> {
         }
         free
     }
+
+    /// `vector` without its components along the held axes of particle `i`.
+    pub(crate) fn of_free_axes(&self, i: usize, vector: Vector<T, D>) -> Vector<T, D> {
+        Vector::from_fn(|axis, _| if self.axes[i] & (1 << axis) == 0 { vector[axis] } else { T::zero() })
+    }
 }
 
 impl<T, const D: usize, M, K> Solid<T, D, M, K>

@@ -85,13 +85,15 @@ where
             &mut self.particles;
         let (force, mass) = (&*force, &*mass);
         let supports = Held { reference, axes: held, group, placements: &self.placements };
-        parallel.update((position.as_mut_slice(), velocity.as_mut_slice()), |i, (x, u)| {
+        let moved = (position.as_mut_slice(), velocity.as_mut_slice(), self.remainder.as_mut_slice());
+        parallel.update(moved, |i, (x, u, remainder)| {
             let before = *u;
             *u = *u * keep + ((force[i] + external[i]) / mass[i] + gravity) * push;
-            let there = *x + *u * drift;
+            let there = go(x, *u * drift, remainder);
             (*x, *u) = if supports.axes[i] == 0 {
                 (there, *u)
             } else {
+                *remainder = supports.of_free_axes(i, *remainder);
                 supports.hold(i, (x, &before), (there, *u), drift)
             };
         });
@@ -112,12 +114,14 @@ where
         let (mass, pairs, inner) = (&*mass, &self.pairs, &self.inner);
         let supports = Held { reference, axes: held, group, placements: &self.placements };
         let here = &*position;
-        parallel.update((velocity.as_mut_slice(), self.next.as_mut_slice()), |i, (u, next)| {
+        let moved = (velocity.as_mut_slice(), self.next.as_mut_slice(), self.remainder.as_mut_slice());
+        parallel.update(moved, |i, (u, next, remainder)| {
             let before = *u;
             let force = internal_force(pairs.row(i), i, here, inner);
             *u = *u * keep + ((force + external[i]) / mass[i] + gravity) * push;
-            *next = here[i] + *u * step;
+            *next = go(&here[i], *u * step, remainder);
             if supports.axes[i] != 0 {
+                *remainder = supports.of_free_axes(i, *remainder);
                 (*next, *u) = supports.hold(i, (&here[i], &before), (*next, *u), step);
             }
         });
@@ -128,4 +132,17 @@ where
     fn damped(&self, step: T) -> T {
         (-self.config.damping * step).exp()
     }
+}
+
+/// Where a particle at `x` is after the `way`. What the last place of a coordinate cannot hold, half a unit of it at most, is kept as the `remainder` and comes along
+/// with the next way: otherwise a body in single precision would not move at all where a sub-step is shorter than that (Kahan 1965).
+pub(crate) fn go<T: Real, const D: usize>(
+    x: &Vector<T, D>,
+    way: Vector<T, D>,
+    remainder: &mut Vector<T, D>,
+) -> Vector<T, D> {
+    let way = way + *remainder;
+    let there = x + way;
+    *remainder = way - (there - x);
+    there
 }

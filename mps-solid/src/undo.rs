@@ -8,6 +8,7 @@ use mps_neighbors::Parallel;
 #[derive(Clone, Debug)]
 pub(crate) struct Before<T: Real, const D: usize, H> {
     pub(crate) position: Vec<Vector<T, D>>,
+    pub(crate) remainder: Vec<Vector<T, D>>,
     velocity: Vec<Vector<T, D>>,
     history: Vec<H>,
     time: Clock<T>,
@@ -18,6 +19,7 @@ impl<T: Real, const D: usize, H: Pod + Default> Before<T, D, H> {
     pub(crate) fn with_room(len: usize) -> Self {
         Self {
             position: vec![Vector::zeros(); len],
+            remainder: vec![Vector::zeros(); len],
             velocity: vec![Vector::zeros(); len],
             history: vec![H::default(); len],
             time: Clock::default(),
@@ -34,6 +36,7 @@ where
     /// Keeps the present state for [`take_back`](Self::take_back). Copies into room that is there already.
     pub(crate) fn keep(&mut self) {
         self.before.position.copy_from_slice(&self.particles.position);
+        self.before.remainder.copy_from_slice(&self.remainder);
         self.before.velocity.copy_from_slice(&self.particles.velocity);
         self.before.history.copy_from_slice(&self.history);
         self.before.time = self.time;
@@ -43,6 +46,7 @@ where
     /// necessary.
     pub(crate) fn take_back(&mut self, parallel: &Parallel, error: SolidError) -> SolidError {
         self.particles.position.copy_from_slice(&self.before.position);
+        self.remainder.copy_from_slice(&self.before.remainder);
         self.particles.velocity.copy_from_slice(&self.before.velocity);
         self.history.copy_from_slice(&self.before.history);
         self.time = self.before.time;

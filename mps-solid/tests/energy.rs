@@ -80,7 +80,9 @@ fn mean_velocity_is_displacement_over_time_and_clamped_particles_stay() {
     let dt = 7.0 * solid.max_step(&parallel);
     solid.advance(&parallel, &load, &Vector::<f64, 2>::new(0.0, -9.81), dt, 7).unwrap();
     for (i, before) in before.iter().enumerate() {
-        assert_eq!(solid.mean_velocities()[i], (solid.positions()[i] - before) / dt);
+        // To the last place of the position.
+        let moved = (solid.positions()[i] - before) / dt;
+        assert!((solid.mean_velocities()[i] - moved).amax() < 1e-17 / dt, "{i}");
         if solid.particles().is_clamped(i) {
             assert_eq!(&solid.positions()[i], before);
             assert_eq!(solid.mean_velocities()[i].norm(), 0.0);

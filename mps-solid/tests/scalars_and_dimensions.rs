@@ -30,6 +30,32 @@ fn single_precision_agrees_with_double() {
     assert!((single - double).abs() < 1e-3 * double.abs(), "{single} and {double}");
 }
 
+/// A strip of `f32` two thirds of a metre from the origin, where the last place of a coordinate is 6e-8 m, moves by a quarter of that in every sub-step.
+#[test]
+fn single_precision_moves_by_less_than_its_last_place() {
+    let parallel = Parallel::serial();
+    let (lower, upper) = (Vector::<f32, 2>::new(0.65, 0.65), Vector::<f32, 2>::new(0.73, 0.67));
+    let strip = body::block(lower, upper, [16, 4], &[]).unwrap();
+    let material = SaintVenantKirchhoff::new(1e6, 0.3).unwrap();
+    let config = SolidConfig::default();
+    let mut solid =
+        Solid::new(strip.particles, strip.spacing, 1000.0, material, WendlandC2, config, &parallel).unwrap();
+    let u = Vector::<f32, 2>::new(0.1, -0.03);
+    solid.velocities_mut().fill(u);
+    let rest = vec![Vector::zeros(); solid.len()];
+    let (dt, steps) = (1.5e-7_f32, 2000_u16);
+    let before: Vec<_> = solid.positions().to_vec();
+    for _ in 0..steps {
+        solid.advance(&parallel, &rest, &Vector::zeros(), dt, 1).unwrap();
+        let mean = solid.mean_velocities();
+        assert!(mean.iter().all(|v| (v - u).norm() < 0.02 * u.norm()), "{:?}", mean[0]);
+    }
+    for (x, x0) in solid.positions().iter().zip(&before) {
+        let way = u * dt * f32::from(steps);
+        assert!((x - x0 - way).norm() < 0.02 * way.norm(), "{} instead of {way}", x - x0);
+    }
+}
+
 /// A square bar, clamped, set off in its first mode: the period of Euler-Bernoulli with the
 /// Timoshenko correction for a length of 16 times the thickness (shear and rotary inertia: about +1 %).
 #[test]

@@ -4,7 +4,7 @@ use super::super::clearance::nearest;
 use super::part::{GAP, Part, overlap, words};
 use super::{Diagnosis, Subject};
 use crate::Failure;
-use mps_io::scene_file::{Filling, Packing};
+use mps_io::scene_file::Filling;
 
 /// How far a gap is looked for, over half the sum of the spacings.
 const FAR: f64 = 4.0;
@@ -33,13 +33,6 @@ pub(super) fn contacts<const D: usize>(
         name: &solid.name,
         fitted: solid.packing == Filling::Fitted,
     });
-    let fixed = scene.fixed.iter().zip(&layout.fixed).enumerate().map(|(k, (body, points))| Part {
-        key: format!("fixed[{k}].region"),
-        places: points.places.clone(),
-        spacing: points.spacing,
-        name: &body.name,
-        fitted: body.packing == Packing::Fitted,
-    });
     let behind = layout.behind.iter().map(|behind| Part {
         key: behind.key.clone(),
         places: behind.places.clone(),
@@ -47,8 +40,11 @@ pub(super) fn contacts<const D: usize>(
         name: "what lies behind an opening",
         fitted: false,
     });
-    let rigid: Vec<Part<D>> =
-        Part::walls(scene, layout, l0).chain(solids).chain(fixed).chain(behind).collect();
+    let rigid: Vec<Part<D>> = Part::walls(scene, layout, l0)
+        .chain(solids)
+        .chain(Part::fixed(scene, layout))
+        .chain(behind)
+        .collect();
     for (k, body) in bodies.iter().enumerate() {
         for other in bodies[k + 1..].iter().chain(&rigid) {
             let unit = 0.5 * (body.spacing + other.spacing);

@@ -7,6 +7,7 @@ mod friction;
 mod openings;
 mod part;
 mod probes;
+mod rigid;
 mod speeds;
 mod thickness;
 
@@ -20,6 +21,7 @@ use mps_io::scene_file::{Clamp, Problem, SceneFile, Source};
 use mps_neighbors::Parallel;
 use openings::openings;
 use probes::probes;
+use rigid::rigid_apart;
 use speeds::speeds;
 use thickness::thickness;
 
@@ -57,6 +59,7 @@ pub(in crate::scene) fn diagnose<const D: usize>(
     openings(&subject, &mut found)?;
     friction::friction::<D>(scene, source, &mut found);
     bodies_apart(&subject, &mut found)?;
+    rigid_apart(&subject, &mut found)?;
     probes(&subject, &mut found);
     Ok(found)
 }

@@ -3,7 +3,7 @@
 use super::super::Layout;
 use super::super::lattice::Place;
 use mps_io::number;
-use mps_io::scene_file::SceneFile;
+use mps_io::scene_file::{Packing, SceneFile};
 
 /// Points of two parts in contact are half the sum of their spacings apart. Less than this share of it, and one is
 /// inside the other: a square lattice leaves no place that is farther from its points than 0.71 of its spacing, a cubic one
@@ -34,6 +34,17 @@ impl<'a, const D: usize> Part<'a, D> {
             spacing: wall.fineness * l0,
             name: &wall.name,
             fitted: false,
+        })
+    }
+
+    /// The fixed bodies of a scene.
+    pub(super) fn fixed(scene: &'a SceneFile, layout: &Layout<D>) -> impl Iterator<Item = Self> {
+        scene.fixed.iter().zip(&layout.fixed).enumerate().map(|(k, (body, points))| Part {
+            key: format!("fixed[{k}].region"),
+            places: points.places.clone(),
+            spacing: points.spacing,
+            name: &body.name,
+            fitted: body.packing == Packing::Fitted,
         })
     }
 }

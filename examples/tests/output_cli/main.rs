@@ -1,16 +1,16 @@
 //! What a run writes is what its scene chooses; it ends when a file asks it to; its log has levels.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail the test")]
 
+#[path = "../common/mod.rs"]
 mod common;
+mod stopped;
 
 use common::{execute, fresh, words};
 use mps_io::{CsvTable, Summary, find_table};
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
-use std::time::{Duration, Instant};
 
 const MPS: &str = env!("CARGO_BIN_EXE_mps");
-const TANK: &str = include_str!("../scenes/hydrostatic-tank.toml");
+const TANK: &str = include_str!("../../scenes/hydrostatic-tank.toml");
 
 /// The tank with 20 x 10 particles and these lines under `[output]`, as a file.
 fn tank(name: &str, output: &str) -> PathBuf {
@@ -297,7 +297,7 @@ fn a_wall_whose_pressure_is_measured_has_a_point_to_every_spacing() {
 /// Walls that move have a frame with every one of the water, those that stand still have one.
 #[test]
 fn a_piston_moves_in_paraview() {
-    const WAVES: &str = include_str!("../scenes/wave-maker.toml");
+    const WAVES: &str = include_str!("../../scenes/wave-maker.toml");
     let scene = tank("piston", "").with_file_name("waves.toml");
     let coarse = WAVES.replace("spacing = 5e-3", "spacing = 1e-2").replace("[-0.02, 0.0]", "[-0.04, 0.0]");
     std::fs::write(
@@ -321,7 +321,7 @@ fn a_piston_moves_in_paraview() {
 /// Bodies alone are stepped from row to row: the last row is at the end, and every frame is there once, however times are rounded.
 #[test]
 fn bodies_alone_end_at_the_end_and_are_written_once() {
-    let beam = include_str!("../scenes/heavy-beam.toml");
+    let beam = include_str!("../../scenes/heavy-beam.toml");
     let file = tank("beam", "").with_file_name("beam.toml");
     std::fs::write(&file, format!("{beam}\n[output]\nframe_interval = 0\npicture_interval = 0\n")).unwrap();
     let dir = fresh("output", "beam");
@@ -332,69 +332,6 @@ fn bodies_alone_end_at_the_end_and_are_written_once() {
     assert!(time.len() == 801 && (time[800] / 0.1 - 1.0).abs() < 1e-12, "{} rows", time.len());
     let list = std::fs::read_to_string(dir.join("fields/solid beam.pvd")).unwrap();
     assert_eq!(list.matches("timestep=").count(), 41);
-}
-
-fn start(program: &str, dir: &Path, arguments: &[&str]) -> Child {
-    let mut command = Command::new(program);
-    command.args(arguments).arg("--out").arg(dir).args(["--threads", "1", "--no-fields", "--quiet"]);
-    command.stderr(Stdio::piped()).spawn().unwrap()
-}
-
-/// Waits for the first rows, asks for the end with a file, and waits for that.
-fn stop(mut child: Child, dir: &Path) -> Output {
-    let begun = Instant::now();
-    let rows = || std::fs::read_to_string(dir.join("probes.csv")).map_or(0, |text| text.lines().count());
-    while rows() < 3 && child.try_wait().unwrap().is_none() {
-        assert!(begun.elapsed() < Duration::from_secs(100), "no rows");
-        std::thread::sleep(Duration::from_millis(2));
-    }
-    std::fs::write(dir.join("stop"), "").unwrap();
-    let output = child.wait_with_output().unwrap();
-    assert!(!dir.join("stop").exists(), "it has been heard");
-    output
-}
-
-#[test]
-fn a_file_ends_a_run_as_a_signal_does() {
-    let (scene, dir) = (tank("stopped", "probe_interval = 1e-3"), fresh("output", "stopped"));
-    let scene = scene.to_str().unwrap();
-    // One that an earlier run has left there asks for nothing.
-    std::fs::create_dir_all(&dir).unwrap();
-    std::fs::write(dir.join("stop"), "").unwrap();
-    let output = stop(start(MPS, &dir, &["run", scene, "--end-time", "50"]), &dir);
-    let said = words(&output.stderr);
-    assert!(
-        !output.status.success() && said.contains("stopped by the file `stop`. Its state at t = "),
-        "{said}"
-    );
-    assert!(dir.join("checkpoint/last.mps").exists() && dir.join("energies.png").exists());
-    let log = std::fs::read_to_string(dir.join("run.log")).unwrap();
-    assert!(log.contains(" WARN ") && log.contains("stopped by the file"), "{log}");
-    let rows = CsvTable::read(dir.join("probes.csv")).unwrap().columns[0].len();
-
-    let on = format!("{}", 1e-3 * (rows + 5) as f64);
-    let resumed =
-        Command::new(MPS).arg("resume").arg(&dir).args(["--end-time", &on, "--quiet"]).output().unwrap();
-    assert!(resumed.status.success(), "{}", words(&resumed.stderr));
-    assert!(CsvTable::read(dir.join("probes.csv")).unwrap().columns[0].len() > rows);
-    // The log goes on as well.
-    let whole = std::fs::read_to_string(dir.join("run.log")).unwrap();
-    assert!(whole.starts_with(&log) && whole[log.len()..].contains("completed"), "{whole}");
-}
-
-#[test]
-fn a_file_ends_the_programs_of_the_cases_with_their_results() {
-    let dir = fresh("output", "gate-stopped");
-    let arguments = ["--spacing", "2.5e-3", "--end-time", "2.0"];
-    let output = stop(start(env!("CARGO_BIN_EXE_elastic-gate"), &dir, &arguments), &dir);
-    let said = words(&output.stderr);
-    assert!(!output.status.success() && said.contains("stopped by the file `stop` at t = "), "{said}");
-    let summary = Summary::read(dir.join("summary.json")).unwrap();
-    assert!(summary.status.contains("stopped by the file"), "{}", summary.status);
-    assert!(dir.join("gate.png").exists());
-    // The state it was stopped in has a row.
-    let time = CsvTable::read(dir.join("probes.csv")).unwrap().columns[0].last().copied().unwrap();
-    assert!(said.contains(&format!("at t = {time:e} s")), "{time:e}: {said}");
 }
 
 #[test]
