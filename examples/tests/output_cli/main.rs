@@ -8,6 +8,7 @@ mod stopped;
 use common::{execute, fresh, words};
 use mps_io::{CsvTable, Summary, find_table};
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 const MPS: &str = env!("CARGO_BIN_EXE_mps");
 const TANK: &str = include_str!("../../scenes/hydrostatic-tank.toml");
