@@ -2,7 +2,9 @@
 
 mod bending;
 mod border;
+mod contact;
 mod coupling;
+mod drift;
 mod fluid_step;
 mod map;
 mod motion;
@@ -45,7 +47,9 @@ fn borders() -> Vec<Border> {
         viscous_step::borders(),
         solid_step::borders(),
         solid_material::borders(),
+        contact::borders(),
         coupling::borders(),
+        drift::borders(),
         water::borders(),
         motion::borders(),
         openings::borders(),

@@ -1,7 +1,7 @@
 //! Water with a free surface: sound, gravity, resolution, disorder, shape, patience, and a block thrown at a wall.
 
 use crate::border::{Border, Breaks};
-use crate::tank::{Tank, USUAL};
+use crate::tank::{CUBE, Tank, USUAL};
 use mps_examples::Failure;
 use mps_examples::basin::{lattice, walls, water};
 use mps_fluid::{ArtificialViscosity, Dpc, Fluid, FluidParticles};
@@ -11,28 +11,31 @@ use mps_neighbors::{Open, Parallel};
 
 /// Side of the block and spacings between it and the sides of the closed box it is thrown in.
 const BLOCK: usize = 10;
+/// That of a cube.
+const CUBED: usize = 4;
 const ROOM: usize = 4;
 
 /// Particles that have left the box after a block has been thrown at its right wall with this part of the speed of sound.
 ///
 /// # Errors
 /// If the fluid cannot go on.
-pub(crate) fn thrown(mach: f64, side: usize) -> Result<f64, Failure> {
+pub(crate) fn thrown<const D: usize>(mach: f64, side: usize) -> Result<f64, Failure> {
     let room = side + ROOM;
     let parallel = Parallel::serial();
-    let mut config = water::<f64, 2>(1.0, 1.0);
+    let mut config = water::<f64, D>(1.0, 1.0);
     config.collisions = Some(Dpc::default());
-    let corner = [ROOM as f64 - 1.0, 0.5 * ROOM as f64];
-    let mut particles = FluidParticles::at_rest(lattice(corner, [side; 2], 1.0));
-    particles.velocity.fill(Vector::from([mach, 0.0]));
-    let viscosity = |r: &_| ArtificialViscosity::new::<2>(0.02, 1.0, r);
-    let boundary = walls([room; 2], None, 1.0);
+    let mut corner = [0.5 * ROOM as f64; D];
+    corner[0] = ROOM as f64 - 1.0;
+    let mut particles = FluidParticles::at_rest(lattice(corner, [side; D], 1.0));
+    particles.velocity.fill(Vector::from_fn(|axis, _| if axis == 0 { mach } else { 0.0 }));
+    let viscosity = |r: &_| ArtificialViscosity::new::<D>(0.02, 1.0, r);
+    let boundary = walls([room; D], None, 1.0);
     let mut fluid = Fluid::new(config, WendlandGradient, viscosity, Open, particles, boundary)?;
     // There and back.
     while fluid.time() < 2.0 * room as f64 / mach {
         fluid.step(&parallel)?;
     }
-    let out = |r: &&Vector<f64, 2>| r.iter().any(|x| !(0.0..=room as f64).contains(x));
+    let out = |r: &&Vector<f64, D>| r.iter().any(|x| !(0.0..=room as f64).contains(x));
     Ok(fluid.particles().position.iter().filter(out).count() as f64)
 }
 
@@ -116,10 +119,46 @@ pub(crate) fn borders() -> Vec<Border> {
             parameter: "speed of a block of water over that of sound",
             measure: "particles beyond the walls",
             bound: 0.0,
-            scene: |mach| thrown(mach, BLOCK),
+            scene: |mach| thrown::<2>(mach, BLOCK),
             breaks: Breaks::Leak,
             mechanism: "the water comes closer to the points of the wall than the guard can stop",
             remedy: "a speed of sound of ten times the largest speed",
+            ..base
+        },
+        Border {
+            name: "impact-3d",
+            parameter: "speed of a cube of water over that of sound",
+            measure: "particles beyond the walls",
+            bound: 0.0,
+            scene: |mach| thrown::<3>(mach, CUBED),
+            breaks: Breaks::Leak,
+            mechanism: "as in the plane",
+            remedy: "a speed of sound of ten times the largest speed",
+            ..base
+        },
+        Border {
+            name: "mach-3d",
+            parameter: "sqrt(g H) over the speed of sound, in space",
+            scene: |x| Tank { mach: x, ..CUBE }.pressure_error::<f64>(),
+            breaks: Breaks::BlowUp,
+            mechanism: "as in the plane",
+            remedy: "a speed of sound of ten times the largest speed",
+            ..base
+        },
+        Border {
+            name: "spacing-3d",
+            parameter: "particles per depth, in space",
+            scene: |n| Tank { counts: [n as usize; 3], ..CUBE }.pressure_error::<f64>(),
+            whole: true,
+            mechanism: "as in the plane",
+            ..base
+        },
+        Border {
+            name: "disorder-3d",
+            parameter: "displacement of the particles at the start in spacings, in space",
+            scene: |x| Tank { noise: x, duration: 0.5, ..CUBE }.pressure_error::<f64>(),
+            mechanism: "as in the plane",
+            remedy: "start on a lattice, or let the water settle",
             ..base
         },
     ]
