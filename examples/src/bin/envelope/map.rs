@@ -48,9 +48,9 @@ const MAP: &[(&str, Known)] = &[
     ("small-and-large", Holds(&[1e-9, 1e9])),
     ("impact", Between(0.6, 0.7)),
     ("impact-3d", Between(0.5, 0.7)),
-    ("mach-3d", Between(1.0, 1.7)),
+    ("mach-3d", Between(1.6, 2.0)),
     ("spacing-3d", Between(7.0, 6.0)),
-    ("disorder-3d", Between(0.05, 0.1)),
+    ("disorder-3d", Between(0.1, 0.15)),
     // 4,500 and 45,000 steps; 450 at 10.
     ("reynolds", Lasts(&[10.0, 1.0, 0.1, 0.01], &[100.0, 1000.0])),
     ("through-flow", Between(0.7, 1.2)),

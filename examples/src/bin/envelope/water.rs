@@ -139,7 +139,8 @@ pub(crate) fn borders() -> Vec<Border> {
         Border {
             name: "mach-3d",
             parameter: "sqrt(g H) over the speed of sound, in space",
-            scene: |x| Tank { mach: x, ..CUBE }.pressure_error::<f64>(),
+            bound: 0.1,
+            scene: |x| Tank { mach: x, duration: 3.0, ..CUBE }.pressure_error::<f64>(),
             breaks: Breaks::BlowUp,
             mechanism: "as in the plane",
             remedy: "a speed of sound of ten times the largest speed",
