@@ -26,6 +26,8 @@ pub(crate) struct Rates<T: Real, const D: usize> {
     pub(crate) stress: Vec<Tensor<T, D>>,
     /// Where the wall is to which the fluid sticks: see [`WallShear`](crate::shear::WallShear). Empty if it has never stuck to one.
     pub(crate) toward_wall: Vec<Vector<T, D>>,
+    /// The same of a second wall on the other side, in narrow gaps.
+    pub(crate) wall_behind: Vec<Vector<T, D>>,
     /// Drag by the law of the wall, likewise. Empty if there has never been such a wall.
     pub(crate) wall_drag: Vec<Vector<T, D>>,
     /// Velocity or position change of the regularisation, in its units; empty without any.

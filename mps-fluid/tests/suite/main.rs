@@ -20,6 +20,7 @@ mod hydrostatic;
 mod impacts;
 mod leaks;
 mod moving_walls;
+mod narrow;
 mod openings;
 mod parameters;
 mod plates;
