@@ -2,7 +2,7 @@
 
 use crate::compressibility::deviation;
 use crate::terms::Viscosity;
-use crate::{Compressibility, Diffusion, Fluid, FluidConfig, FluidError, Tension};
+use crate::{Compressibility, Diffusion, Fluid, FluidConfig, FluidError};
 use mps_kernel::{Kernel, LatticeWaves, Real, ReferenceDensity, Vector};
 use mps_neighbors::{Domain, Parallel};
 
@@ -97,13 +97,13 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// `dt = C min(l0/(v_max + c), l0^2/(8 nu))` (eq. 46), `sqrt(l0/a_max)` for sudden forces, and what the density diffusion bears.
     pub(crate) fn stable_step(&mut self, parallel: &Parallel) -> Result<T, FluidError> {
         let (u, a, n) = (&self.particles.velocity, &self.rates.acceleration, &self.particles.density);
-        let clip = self.config.tension == Tension::Clip;
+        let loosest = self.loosest();
         // Keeps a NaN once it has met one, so that it cannot hide behind a comparison.
         let largest = |x: T, y: T| if x > y || x.partial_cmp(&x).is_none() { x } else { y };
         let (v2, a2, density) = parallel.fold(
             u.len(),
             (T::zero(), T::zero(), T::zero()),
-            &|i| (u[i].norm_squared(), a[i].norm_squared(), deviation(n[i], clip)),
+            &|i| (u[i].norm_squared(), a[i].norm_squared(), deviation(n[i], loosest)),
             &|x, y| (largest(x.0, y.0), largest(x.1, y.1), largest(x.2, y.2)),
         );
         if !(v2.is_finite() && a2.is_finite()) {
