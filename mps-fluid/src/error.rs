@@ -33,6 +33,31 @@ pub enum FluidError {
         /// Number of particles.
         particles: usize,
     },
+    /// A field of the boundary has the wrong length.
+    #[error(
+        "boundary field `{field}` has {len} entries for {points} points: all fields need one entry per point; add points with `add_wall` or \
+         `add_structure`, the latter with as many volumes as points"
+    )]
+    BoundaryLength {
+        /// Name of the field.
+        field: &'static str,
+        /// Its length.
+        len: usize,
+        /// Number of points.
+        points: usize,
+    },
+    /// A boundary point is nothing a fluid could feel.
+    #[error("boundary point {point} has the {quantity} {value}: {hint}")]
+    BoundaryPoint {
+        /// Index of the point.
+        point: usize,
+        /// Which quantity.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// What is allowed.
+        hint: &'static str,
+    },
     /// The reference density could not be formed.
     #[error(transparent)]
     Reference(#[from] ReferenceDensityError),

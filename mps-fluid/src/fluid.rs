@@ -73,7 +73,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// A fluid from its particles, the walls and structures around it and its parameters.
     ///
     /// # Errors
-    /// If a parameter is out of range or the fields of the particles differ in length.
+    /// If a parameter is out of range, the fields of the particles or those of the boundary differ in length, or a boundary point has no volume or
+    /// is nowhere.
     pub fn new(
         config: FluidConfig<T, D>,
         kernel: K,
@@ -83,17 +84,10 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         boundary: Boundary<T, D>,
     ) -> Result<Self, FluidError> {
         config.validate()?;
+        particles.check_lengths()?;
+        boundary.check_lengths()?;
+        boundary.check_points()?;
         let len = particles.len();
-        for (field, found) in [
-            ("velocity", particles.velocity.len()),
-            ("density", particles.density.len()),
-            ("pressure", particles.pressure.len()),
-            ("id", particles.id.len()),
-        ] {
-            if found != len {
-                return Err(FluidError::FieldLength { field, len: found, particles: len });
-            }
-        }
         let reference = ReferenceDensity::lattice::<K, D>(&kernel, config.spacing, config.radius())?;
         let mut rates = Rates::default();
         rates.resize(len);
@@ -146,6 +140,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// # Errors
     /// If a particle's state is not finite or its speed makes the time step collapse.
     pub fn begin_step(&mut self, parallel: &Parallel) -> Result<T, FluidError> {
+        self.check_lengths()?;
         self.stage = Stage::Begun;
         self.meet_neighbours(parallel)?;
         self.drive_inlets()?;
@@ -222,6 +217,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if !self.search.expired(parallel, &self.domain, &self.particles, &self.boundary) {
             return Ok(());
         }
+        // Structures and openings come after the fluid has been made.
+        self.boundary.check_points()?;
         let newcomers = self.let_pass();
         self.search.rebuild(parallel, &self.domain, &mut self.particles, &self.boundary)?;
         if let Some(first) = newcomers {

@@ -6,6 +6,7 @@
 
 mod boundary;
 mod budget;
+mod checks;
 mod compressibility;
 mod config;
 mod continuity;

@@ -24,6 +24,7 @@ mod narrow;
 mod openings;
 mod parameters;
 mod plates;
+mod refusals;
 mod relaxing;
 mod restart;
 mod resting;
