@@ -52,11 +52,11 @@ fn a_wave_below_the_background_pressure_has_the_same_energy_with_and_without_ten
     let run = |tension| {
         let mut config = FluidConfig::<f64, 2>::water(0.01, 10.0);
         (config.tension, config.background_pressure, config.collisions) = (tension, 2000.0, None);
-        let mut particles = FluidParticles::at_rest(lattice([0.0; 2], [20, 6], 0.01));
+        let mut particles = FluidParticles::at_rest(lattice::<f64, 2>([0.0; 2], [20, 10], 0.01));
         for (n, r) in particles.density.iter_mut().zip(&particles.position) {
             *n = 1.0 + 0.015 * (r.x * core::f64::consts::TAU / 0.2).cos();
         }
-        let domain = PeriodicBox::new(Vector::zeros(), [Some(0.2), Some(0.06)]).unwrap();
+        let domain = PeriodicBox::new(Vector::zeros(), [Some(0.2), Some(0.1)]).unwrap();
         let nothing = Boundary::default();
         let mut fluid = Fluid::new(config, WendlandGradient, |_: &_| (), domain, particles, nothing).unwrap();
         let mut energies = vec![fluid.energy(&parallel)];
