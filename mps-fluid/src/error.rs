@@ -70,6 +70,24 @@ pub enum FluidError {
         /// What is wrong and what to do.
         what: String,
     },
+    /// A half of a step out of its turn.
+    #[error(
+        "`{call}` of the fluid was called where no step had begun, or one that could not go on, and has done nothing: call `begin_step` before, \
+         once a step, and stop at its errors"
+    )]
+    Turn {
+        /// The function.
+        call: &'static str,
+    },
+    /// A step of no length.
+    #[error(
+        "`finish_step` of the fluid was asked for a step of {dt} s and has done nothing: give it what `begin_step` has returned, or a shorter \
+         time greater than zero"
+    )]
+    StepLength {
+        /// The length \[s\].
+        dt: f64,
+    },
     /// An inlet is asked to draw fluid in, or for no number.
     #[error(
         "an inlet has the speed {speed} m/s at t = {time:e} s, position {place:?} m: it has to be a number, not negative; \

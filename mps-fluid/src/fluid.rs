@@ -9,6 +9,7 @@ use crate::rates::{Rates, State};
 use crate::search::Search;
 use crate::terms::{Guard, Viscosity, WallPair};
 use crate::time_step::stable_courant_number;
+use crate::turn::{Stage, Turn};
 use crate::{Boundary, Compressibility, FluidConfig, FluidError, FluidParticles, Limit, Tension};
 use mps_kernel::weights::Rational;
 use mps_kernel::{Clock, Kernel, ParticleStore, Real, ReferenceDensity, Vector};
@@ -53,20 +54,9 @@ pub struct Fluid<
     pub(crate) compressibility: Compressibility<T>,
     pub(crate) compressibility_seen: Compressibility<T>,
     /// How far the present step is.
-    pub(crate) stage: Stage,
+    pub(crate) turn: Turn,
     /// What particles were like when the step began, if somebody wants to know.
     pub(crate) starts: Option<Box<Starts<T, D>>>,
-}
-
-/// How far a step is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Stage {
-    /// The last one is finished.
-    Between,
-    /// It has begun; what the sweeps left behind is not of it yet.
-    Begun,
-    /// Accelerations are known.
-    Swept,
 }
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
@@ -113,7 +103,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             stable_courant,
             compressibility: Compressibility::default(),
             compressibility_seen: Compressibility::default(),
-            stage: Stage::Between,
+            turn: Turn::default(),
             starts: None,
         };
         fluid.check_law()?;
@@ -135,32 +125,43 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// Everything that can be known before anybody moves: neighbours, collisions, pressures,
     /// accelerations, and the forces on the reactive points of the boundary.
     ///
-    /// Returns the longest stable time step \[s\] (eq. 46).
+    /// Returns the longest stable time step \[s\] (eq. 46). Begun once more without having been finished, a step has new forces for
+    /// whatever has been changed meanwhile, and is not regularised again.
     ///
     /// # Errors
-    /// If a particle's state is not finite or its speed makes the time step collapse.
+    /// If a particle's state is not finite or its speed makes the time step collapse; if the number of particles or of entries of a field has
+    /// been changed; if one of the other halves has been refused since the last step, which is said once.
     pub fn begin_step(&mut self, parallel: &Parallel) -> Result<T, FluidError> {
+        self.turn.admit()?;
         self.check_lengths()?;
-        self.stage = Stage::Begun;
+        self.turn.stage = Stage::Begun;
+        self.forget_field();
         self.meet_neighbours(parallel)?;
         self.drive_inlets()?;
-        self.remember_starts();
-        self.shift(parallel)?;
-        self.relax_densities(parallel)?;
-        self.collide(parallel);
+        let again = core::mem::replace(&mut self.turn.regularised, true);
+        if !again {
+            self.remember_starts();
+            self.shift(parallel)?;
+            self.relax_densities(parallel)?;
+            self.collide(parallel);
+        }
         self.evaluate_pressure(parallel);
         self.sweep_correction(parallel);
         self.prepare_shear(parallel)?;
         self.sweep_momentum(parallel);
-        self.hold_outlets(parallel);
+        let held = core::mem::replace(&mut self.turn.held, true);
+        self.hold_outlets(parallel, held);
         self.react(parallel);
         self.prepare_exchange();
-        self.stage = Stage::Swept;
-        self.stable_step(parallel)
+        self.turn.stage = Stage::Stuck;
+        let dt = self.stable_step(parallel)?;
+        self.turn.stage = Stage::Swept;
+        Ok(dt)
     }
 
     /// Adds to the accelerations found by [`begin_step`](Fluid::begin_step) one that depends on the
-    /// place \[m/s^2\]: a central force, a field that changes with time. Belongs between the halves of a step.
+    /// place \[m/s^2\]: a central force, a field that changes with time. Belongs between the halves of a step: elsewhere it does nothing, and
+    /// [`begin_step`](Fluid::begin_step) says so.
     ///
     /// The walls do not know of it: what they show follows the gravity of the parameters. Hence for fluid
     /// away from walls, or for fields along them. The time step has been chosen without it. Beyond outlets nothing acts; the hydrostatic
@@ -170,6 +171,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         parallel: &Parallel,
         field: impl Fn(&Vector<T, D>) -> Vector<T, D> + Sync,
     ) {
+        if !self.turn.may("add_acceleration") || !self.turn.accepts(self.check_lengths()) {
+            return;
+        }
         self.book_field(parallel, &field);
         let position = &self.particles.position;
         parallel.update(self.rates.acceleration.as_mut_slice(), |i, a| *a += field(&position[i]));
@@ -181,7 +185,13 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     ///
     /// Boundary velocities must be those of this step, boundary positions those of its start;
     /// whoever moves the boundary sets the new positions afterwards.
+    ///
+    /// Without a step that has begun, with a `dt` that is not positive and finite, or after a field has got another length it does nothing;
+    /// the next [`begin_step`](Fluid::begin_step) returns the reason as its error.
     pub fn finish_step(&mut self, parallel: &Parallel, dt: T) {
+        if !self.turn.may("finish_step") || !self.turn.lasts(dt) || !self.turn.accepts(self.check_lengths()) {
+            return;
+        }
         self.finish_exchange();
         self.follow_outlets(dt);
         let Rates { acceleration, flow, .. } = &mut self.rates;
@@ -209,7 +219,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         self.time = self.time.after(dt);
         self.last_dt = dt;
         self.steps += 1;
-        self.stage = Stage::Between;
+        self.turn = Turn::default();
     }
 
     /// Rebuilds the neighbour rows if they have expired. Particles enter and leave on that occasion.

@@ -32,6 +32,7 @@ mod shear;
 pub mod surface;
 mod terms;
 mod time_step;
+mod turn;
 
 pub use boundary::{Boundary, Shear, Slip};
 pub use budget::EnergyBudget;

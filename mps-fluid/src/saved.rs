@@ -2,10 +2,10 @@
 
 use crate::budget::Books;
 use crate::exchange::Exchange;
-use crate::fluid::Stage;
 use crate::open::OpenBoundaries;
 use crate::rates::Rates;
 use crate::terms::Viscosity;
+use crate::turn::{Stage, Turn};
 use crate::{Boundary, EnergyBudget, Fluid};
 use mps_kernel::{Kernel, Real, Transfer};
 use mps_neighbors::{Domain, Parallel};
@@ -38,10 +38,10 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             stable_courant: _,
             compressibility,
             compressibility_seen,
-            stage,
+            turn,
             starts: _,
         } = self;
-        if *stage != Stage::Between && !transfer.is_restoring() {
+        if turn.stage != Stage::Between && !transfer.is_restoring() {
             transfer.refuse("a step has begun and is not finished: save the state between two steps");
         }
         transfer.within("particles", |transfer| transfer.particles(particles));
@@ -67,7 +67,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             *rates = Rates::default();
             rates.resize(particles.position.len());
             *exchange = Exchange::default();
-            *stage = Stage::Between;
+            *turn = Turn::default();
         }
     }
 }

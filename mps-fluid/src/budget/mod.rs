@@ -110,6 +110,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         }
     }
 
+    /// Forgets the accelerations from outside of a step that was begun and not finished.
+    pub(crate) fn forget_field(&mut self) {
+        self.books.iter_mut().for_each(|books| books.field.clear());
+    }
+
     /// Remembers an acceleration from outside.
     pub(crate) fn book_field(
         &mut self,

@@ -1,6 +1,5 @@
 //! The limits of a step, and who sets them.
 
-use crate::fluid::Stage;
 use crate::terms::Viscosity;
 use crate::{Fluid, Limit, StepLimits};
 use mps_kernel::{Kernel, Real, Vector};
@@ -23,7 +22,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// What the length of the step that has begun follows from, and which particles set it. A value that is no number counts as the
     /// largest. `None` as in [`explain`](Self::explain), and without particles.
     pub fn explain_step(&self) -> Option<StepExplanation<T>> {
-        if self.stage != Stage::Swept {
+        if !self.turn.stage.is_known() {
             return None;
         }
         let (fastest, v) = largest(&self.particles.velocity)?;

@@ -16,6 +16,7 @@ mod determinism;
 mod explained;
 mod free_surface;
 mod gaps;
+mod halves;
 mod hydrostatic;
 mod impacts;
 mod leaks;
