@@ -5,6 +5,9 @@ use crate::{Boundary, Fluid, FluidError, FluidParticles};
 use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::Domain;
 
+/// The least density ratio, in every step: far below any of a connected fluid, it keeps the ratios `n_i/n_j` of spray finite.
+pub(crate) const THINNEST: f64 = 0.1;
+
 impl<T: Real, const D: usize> FluidParticles<T, D> {
     /// Refuses fields of another length than the positions.
     pub(crate) fn check_lengths(&self) -> Result<(), FluidError> {
@@ -21,6 +24,39 @@ impl<T: Real, const D: usize> FluidParticles<T, D> {
         }
         Ok(())
     }
+
+    /// Refuses particles that are nowhere, or have a motion or a density that is no number or too small a density.
+    pub(crate) fn check_values(&self) -> Result<(), FluidError> {
+        for (i, &density) in self.density.iter().enumerate() {
+            let refuse = |quantity, value: T, hint| {
+                Err(FluidError::Initial { id: self.id[i], quantity, value: value.to_double(), hint })
+            };
+            // NaN is not larger either. `>=`, as that is where every step ends.
+            if !(density >= T::of(THINNEST) && density.is_finite()) {
+                return refuse(
+                    "density",
+                    density,
+                    "it is that over the reference density, at least 0.1, and 1 at rest",
+                );
+            }
+            for (quantity, vector) in [("position", &self.position[i]), ("velocity", &self.velocity[i])] {
+                if let Some(value) = not_finite(vector) {
+                    return refuse(quantity, value, "it has to be a finite number");
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The kinematic viscosity \[m^2/s\], if it is one.
+pub(crate) fn check_viscosity<T: Real>(value: T) -> Result<(), FluidError> {
+    let (value, high) = (value.to_double(), f64::MAX);
+    if value >= 0.0 && value <= high {
+        return Ok(());
+    }
+    let hint = "kinematic, in m2/s; of the artificial one it is alpha c l0/(2 (D + 2))";
+    Err(FluidError::Parameter { name: "viscosity", value, low: 0.0, high, hint })
 }
 
 impl<T: Real, const D: usize> Boundary<T, D> {

@@ -33,6 +33,18 @@ pub enum FluidError {
         /// Number of particles.
         particles: usize,
     },
+    /// A particle cannot begin as it is.
+    #[error("fluid particle {id} begins with the {quantity} {value}: {hint}")]
+    Initial {
+        /// Identity of the particle.
+        id: u32,
+        /// Which quantity.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// What is allowed.
+        hint: &'static str,
+    },
     /// A field of the boundary has the wrong length.
     #[error(
         "boundary field `{field}` has {len} entries for {points} points: all fields need one entry per point; add points with `add_wall` or \

@@ -1,6 +1,7 @@
 //! The fluid and the story of one step.
 
 use crate::budget::Books;
+use crate::checks::{THINNEST, check_viscosity};
 use crate::eos::{EquationOfState, Tait};
 use crate::exchange::Exchange;
 use crate::explain::Starts;
@@ -63,8 +64,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// A fluid from its particles, the walls and structures around it and its parameters.
     ///
     /// # Errors
-    /// If a parameter is out of range, the fields of the particles or those of the boundary differ in length, or a boundary point has no volume or
-    /// is nowhere.
+    /// If a parameter or the viscosity is out of range, the fields of the particles or those of the boundary differ in length, a particle has a
+    /// position, velocity or density that is no number or a density ratio below 0.1, or a boundary point has no volume or is nowhere.
     pub fn new(
         config: FluidConfig<T, D>,
         kernel: K,
@@ -75,15 +76,18 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     ) -> Result<Self, FluidError> {
         config.validate()?;
         particles.check_lengths()?;
+        particles.check_values()?;
         boundary.check_lengths()?;
         boundary.check_points()?;
         let len = particles.len();
         let reference = ReferenceDensity::lattice::<K, D>(&kernel, config.spacing, config.radius())?;
+        let viscosity = viscosity(&reference);
+        check_viscosity(viscosity.kinematic())?;
         let mut rates = Rates::default();
         rates.resize(len);
         let stable_courant = stable_courant_number::<T, D, K>(config.diffusion, &kernel, &reference);
         let mut fluid = Self {
-            viscosity: viscosity(&reference),
+            viscosity,
             eos: config.equation_of_state(),
             search: Search::new(&config),
             config,
@@ -207,8 +211,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let FluidParticles { position, velocity, density, .. } = &mut self.particles;
         let (velocity, rate) = (&*velocity, &self.rates.density_rate);
         let domain = self.domain;
-        // Far below any density of a connected fluid; keeps the ratios n_i/n_j of spray finite.
-        let thinnest = T::of(0.1);
+        let thinnest = T::of(THINNEST);
         parallel.update((position.as_mut_slice(), density.as_mut_slice()), |i, (r, n)| {
             *r = domain.wrap(*r + velocity[i] * dt);
             let next = *n + rate[i] * dt;
