@@ -106,7 +106,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             &|i| (u[i].norm_squared(), a[i].norm_squared(), deviation(n[i], loosest)),
             &|x, y| (largest(x.0, y.0), largest(x.1, y.1), largest(x.2, y.2)),
         );
-        if !(v2.is_finite() && a2.is_finite()) {
+        if !(v2.is_finite() && a2.is_finite() && density.is_finite()) {
             return Err(self.find_not_finite());
         }
         let v = v2.sqrt();
