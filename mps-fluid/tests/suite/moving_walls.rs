@@ -3,7 +3,7 @@
 
 use crate::common::{Account, fill, step_on_account};
 use mps_fluid::{
-    ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait,
+    ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait, Tension,
 };
 use mps_kernel::Vector;
 use mps_kernel::weights::WendlandGradient;
@@ -167,4 +167,35 @@ fn a_stirrer_turns_in_its_water() {
         })
         .sum();
     assert!(spin > 0.0, "the water turns with it");
+}
+
+/// A wall that is torn off or thrown at the water pulls or pushes the more, the more it is accelerated, and never without limit.
+#[test]
+fn the_force_of_a_wall_grows_with_its_acceleration() {
+    let pulled = |tension: Tension, acceleration: f64, density: f64| {
+        let mut config = FluidConfig::<f64, 2>::water(L0, 10.0);
+        config.tension = tension;
+        let mut water = FluidParticles::at_rest(fill([0.0; 2], [0.1; 2], L0, |_| true));
+        water.density.fill(density);
+        let mut boundary = Boundary::default();
+        boundary.add_wall(&fill([-0.03, 0.0], [0.0, 0.1], L0, |_| true), Slip::Free).unwrap();
+        boundary.acceleration.fill(Vector::from([acceleration, 0.0]));
+        let mut fluid =
+            Fluid::new(config, WendlandGradient, |_: &_| (), Open, water, boundary).unwrap();
+        fluid.begin_step(&Parallel::serial()).unwrap();
+        let near = fluid.particles().position.iter().position(|r| r.x < L0 && (r.y - 0.055).abs() < 1e-9);
+        fluid.acceleration()[near.unwrap()].x
+    };
+    for (tension, density) in [(Tension::Keep, 1.0), (Tension::Keep, 1.01), (Tension::Clip, 1.6)] {
+        for sign in [-1.0, 1.0] {
+            let mut last = pulled(tension, 0.0, density);
+            for k in 0..=20 {
+                let wall = 10.0_f64.powf(0.25 * f64::from(k));
+                let now = pulled(tension, sign * wall, density);
+                let grows = sign * (now - last) >= -1e-9 * now.abs();
+                assert!(grows && now.abs() < 1e6, "{tension:?} {density}: {now} after {last} m/s2 at {wall} m/s2");
+                last = now;
+            }
+        }
+    }
 }
