@@ -9,7 +9,7 @@ use mps_neighbors::{Domain, Parallel};
 /// What the length of a step follows from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Limit {
-    /// The way of sound and of the fastest particle, `l0/(v_max + c)`.
+    /// The way of sound and of the fastest particle or boundary point, `l0/(v_max + c)`.
     #[default]
     Sound,
     /// Viscosity, `l0^2/(8 nu)`.
@@ -37,7 +37,7 @@ impl Limit {
 /// of stability whatever the Courant number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepLimits<T> {
-    /// By sound and the fastest particle.
+    /// By sound and the fastest particle or boundary point.
     pub sound: T,
     /// By viscosity.
     pub viscosity: T,
@@ -106,18 +106,31 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             &|i| (u[i].norm_squared(), a[i].norm_squared(), deviation(n[i], loosest)),
             &|x, y| (largest(x.0, y.0), largest(x.1, y.1), largest(x.2, y.2)),
         );
+        // Before the fluid: a wall that is no number spoils the particles next to it.
+        let wall = self.boundary_speed(parallel);
+        if !wall.is_finite() {
+            self.boundary.check_points()?;
+        }
         if !(v2.is_finite() && a2.is_finite() && density.is_finite()) {
             return Err(self.find_not_finite());
         }
         let v = v2.sqrt();
         self.compressibility = Compressibility { mach: v / self.config.sound_speed, density };
         self.compressibility_seen = self.compressibility_seen.larger(&self.compressibility);
-        let (limit, dt) = self.step_limits(v, a2.sqrt()).shortest();
+        let (limit, dt) = self.step_limits(v.max(wall), a2.sqrt()).shortest();
         self.limit = limit;
         if v > self.config.sound_speed * T::of(ESCAPED) {
             return Err(self.find_fastest(dt));
         }
         Ok(dt)
+    }
+
+    /// The largest speed of a boundary point \[m/s\].
+    pub(crate) fn boundary_speed(&self, parallel: &Parallel) -> T {
+        let u = &self.boundary.velocity;
+        // Not `max`, which would hide what is no number.
+        let sum = |x: T, y: T| if x > y || x.partial_cmp(&x).is_none() { x } else { y };
+        parallel.fold(u.len(), T::zero(), &|a| u[a].norm_squared(), &sum).sqrt()
     }
 
     /// The limits at the largest speed \[m/s\] and the largest acceleration \[m/s^2\].
@@ -139,7 +152,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// The limits at the present velocities and the accelerations of the last step.
     pub fn limits(&self) -> StepLimits<T> {
         let most = |vectors: &[Vector<T, D>]| vectors.iter().fold(T::zero(), |most, x| most.max(x.norm()));
-        self.step_limits(most(&self.particles.velocity), most(&self.rates.acceleration))
+        let speed = most(&self.particles.velocity).max(most(&self.boundary.velocity));
+        self.step_limits(speed, most(&self.rates.acceleration))
     }
 
     /// The largest Courant number `c dt/l0` with which no wave on the lattice grows, which depends on weight, radius and density diffusion

@@ -3,7 +3,7 @@
 use crate::terms::Viscosity;
 use crate::{Fluid, Limit, StepLimits};
 use mps_kernel::{Kernel, Real, Vector};
-use mps_neighbors::Domain;
+use mps_neighbors::{Domain, Parallel};
 
 /// What the length of a step follows from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,7 +12,7 @@ pub struct StepExplanation<T> {
     pub limits: StepLimits<T>,
     /// The one that acts.
     pub limit: Limit,
-    /// The fastest particle, its number and speed \[m/s\].
+    /// The fastest particle, its number and speed \[m/s\]. A boundary point may be faster.
     pub fastest: (u32, T),
     /// The particle with the largest acceleration, and that \[m/s^2\].
     pub most_accelerated: (u32, T),
@@ -27,7 +27,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         }
         let (fastest, v) = largest(&self.particles.velocity)?;
         let (driven, a) = largest(&self.rates.acceleration)?;
-        let limits = self.step_limits(v, a);
+        let wall = self.boundary_speed(&Parallel::serial());
+        let limits = self.step_limits(v.max(wall), a);
         let id = &self.particles.id;
         Some(StepExplanation {
             limits,
