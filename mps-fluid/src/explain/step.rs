@@ -28,7 +28,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let (fastest, v) = largest(&self.particles.velocity)?;
         let (driven, a) = largest(&self.rates.acceleration)?;
         let wall = self.boundary_speed(&Parallel::serial());
-        let limits = self.step_limits(v.max(wall), a);
+        // Not `max`, which would hide a speed that is no number.
+        let limits = self.step_limits(if wall > v { wall } else { v }, a);
         let id = &self.particles.id;
         Some(StepExplanation {
             limits,
