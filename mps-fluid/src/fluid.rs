@@ -233,7 +233,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         // Structures and openings come after the fluid has been made.
         self.boundary.check_points()?;
         let newcomers = self.let_pass();
-        self.search.rebuild(parallel, &self.domain, &mut self.particles, &self.boundary)?;
+        self.search.rebuild(parallel, &self.domain, &mut self.particles, &mut self.rates, &self.boundary)?;
         if let Some(first) = newcomers {
             self.welcome(first);
         }
@@ -317,7 +317,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     }
 
     /// Sum of weights over `n0` of each particle \[-\], as last measured by
-    /// [`measure_packing`](Self::measure_packing); empty before that.
+    /// [`measure_packing`](Self::measure_packing); empty before that. It goes with its particle into another order, and is zero for one
+    /// that has entered since.
     pub fn packing(&self) -> &[T] {
         &self.rates.packing
     }

@@ -1,5 +1,6 @@
 //! The neighbour rows of the fluid and when they are rebuilt.
 
+use crate::rates::Rates;
 use crate::{Boundary, FluidConfig, FluidError, FluidParticles};
 use mps_kernel::{Real, Transfer, Vector};
 use mps_neighbors::{Cells, Domain, NeighborError, Parallel, Permutation, Rows, Skin};
@@ -66,16 +67,18 @@ impl<T: Real, const D: usize> Search<T, D> {
         self.skin.built_from().is_some_and(|sets| sets.iter().map(Vec::len).eq(now))
     }
 
-    /// Puts the particles into spatial order and builds all rows anew.
+    /// Puts the particles into spatial order, with what has been measured of them, and builds all rows anew.
     pub(crate) fn rebuild<P: Domain<T, D>>(
         &mut self,
         parallel: &Parallel,
         domain: &P,
         particles: &mut FluidParticles<T, D>,
+        rates: &mut Rates<T, D>,
         boundary: &Boundary<T, D>,
     ) -> Result<(), FluidError> {
         self.cells.build(parallel, domain, &particles.position, self.reach)?;
         self.permutation.apply(particles, self.cells.order())?;
+        rates.reorder(&mut self.permutation, self.cells.order())?;
         self.cells.settle();
         self.find_rows(parallel, domain, &particles.position, &boundary.position, boundary)?;
         self.skin.renew(&[&particles.position, &boundary.position]);

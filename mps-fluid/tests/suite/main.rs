@@ -23,6 +23,7 @@ mod leaks;
 mod moving_walls;
 mod narrow;
 mod openings;
+mod packing;
 mod parameters;
 mod plates;
 mod refusals;
