@@ -5,7 +5,7 @@
 use crate::common::{Noise, closed_walls, lattice, tank, water};
 use crate::openings::channel;
 use mps_fluid::{
-    ArtificialViscosity, Boundary, Diffusion, Fluid, FluidConfig, FluidParticles, LaminarViscosity,
+    ArtificialViscosity, Boundary, Diffusion, Fluid, FluidConfig, FluidParticles, LaminarViscosity, Limit,
     PressureForm, Shifting, Slip, Tension, Viscosity,
 };
 use mps_kernel::weights::{Rational, WendlandGradient};
@@ -186,4 +186,27 @@ fn a_step_that_has_begun_has_no_state() {
     assert!(halfway.to_string().contains("between two steps"), "{halfway}");
     fluid.finish_step(&serial, dt);
     save(&mut fluid);
+}
+
+#[test]
+fn the_courant_number_and_what_limited_the_last_step_are_restored() {
+    let serial = Parallel::serial();
+    let build = || {
+        let mut fluid = splash::<f64, 2>([20, 15], |config| config.cfl = 0.4);
+        // So fast that its acceleration limits the step.
+        fluid.particles_mut().density[40] = 1.5;
+        fluid
+    };
+    let mut fluid = build();
+    fluid.set_courant_number(0.1).unwrap();
+    fluid.step(&serial).unwrap();
+    assert_eq!(fluid.limit(), Limit::Acceleration);
+    let state = save(&mut fluid);
+    let mut twin = build();
+    state.restore(|transfer| twin.transfer(&serial, transfer)).unwrap();
+    assert_eq!((twin.limit(), twin.config().cfl), (Limit::Acceleration, 0.1));
+    for _ in 0..3 {
+        assert_eq!(fluid.step(&serial).unwrap(), twin.step(&serial).unwrap());
+    }
+    assert!(fluid.particles() == twin.particles());
 }
