@@ -30,7 +30,7 @@ pub(crate) struct Search<T: Real, const D: usize> {
 impl<T: Real, const D: usize> Search<T, D> {
     pub(crate) fn new(config: &FluidConfig<T, D>) -> Self {
         let skin = config.skin_ratio * config.spacing;
-        // Shifting moves particles between the check and the sweeps; its bound is kept in reserve.
+        // Shifting moves particles between the check and the sweeps; its bound is kept in reserve, and rows reach as far even without a skin.
         let reserve = match config.shifting {
             Some(_) => T::of(2.0) * crate::regularize::largest_shift(config.spacing),
             None => T::zero(),
@@ -44,8 +44,8 @@ impl<T: Real, const D: usize> Search<T, D> {
             boundary_cells: Cells::new(),
             permutation: Permutation::default(),
             skin: Skin::new((skin - reserve).max(T::zero())),
-            reach: config.radius() + skin,
-            close_reach: config.collisions.map(|_| config.spacing + skin),
+            reach: config.radius() + skin.max(reserve),
+            close_reach: config.collisions.map(|_| config.spacing + skin.max(reserve)),
             rebuilds: 0,
         }
     }
