@@ -94,7 +94,11 @@ impl<T: Real, const D: usize> Rates<T, D> {
     }
 
     /// Lets the measures of packing follow the particles into a new order: they are shown until they are measured again.
-    pub(crate) fn reorder(&mut self, permutation: &mut Permutation, order: &[u32]) -> Result<(), NeighborError> {
+    pub(crate) fn reorder(
+        &mut self,
+        permutation: &mut Permutation,
+        order: &[u32],
+    ) -> Result<(), NeighborError> {
         if self.packing.is_empty() {
             return Ok(());
         }

@@ -3,8 +3,8 @@
 
 use crate::common::{Noise, lattice, water};
 use mps_fluid::{
-    ArtificialViscosity, Boundary, CompactViscosity, Dpc, EnergyBudget, Fluid, FluidConfig, FluidParticles, Shifting, Slip,
-    Tension, Viscosity,
+    ArtificialViscosity, Boundary, CompactViscosity, Dpc, EnergyBudget, Fluid, FluidConfig, FluidParticles,
+    Shifting, Slip, Tension, Viscosity,
 };
 use mps_kernel::weights::WendlandGradient;
 use mps_kernel::{Kernel, Vector};

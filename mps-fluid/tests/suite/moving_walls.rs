@@ -3,8 +3,8 @@
 
 use crate::common::{Account, fill, step_on_account};
 use mps_fluid::{
-    ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidError, FluidParticles, Limit, Slip, Tait,
-    Tension,
+    ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidError, FluidParticles, Limit,
+    Slip, Tait, Tension,
 };
 use mps_kernel::Vector;
 use mps_kernel::weights::WendlandGradient;
@@ -181,8 +181,7 @@ fn the_force_of_a_wall_grows_with_its_acceleration() {
         let mut boundary = Boundary::default();
         boundary.add_wall(&fill([-0.03, 0.0], [0.0, 0.1], L0, |_| true), Slip::Free).unwrap();
         boundary.acceleration.fill(Vector::from([acceleration, 0.0]));
-        let mut fluid =
-            Fluid::new(config, WendlandGradient, |_: &_| (), Open, water, boundary).unwrap();
+        let mut fluid = Fluid::new(config, WendlandGradient, |_: &_| (), Open, water, boundary).unwrap();
         fluid.begin_step(&Parallel::serial()).unwrap();
         let near = fluid.particles().position.iter().position(|r| r.x < L0 && (r.y - 0.055).abs() < 1e-9);
         fluid.acceleration()[near.unwrap()].x
@@ -194,7 +193,10 @@ fn the_force_of_a_wall_grows_with_its_acceleration() {
                 let wall = 10.0_f64.powf(0.25 * f64::from(k));
                 let now = pulled(tension, sign * wall, density);
                 let grows = sign * (now - last) >= -1e-9 * now.abs();
-                assert!(grows && now.abs() < 1e6, "{tension:?} {density}: {now} after {last} m/s2 at {wall} m/s2");
+                assert!(
+                    grows && now.abs() < 1e6,
+                    "{tension:?} {density}: {now} after {last} m/s2 at {wall} m/s2"
+                );
                 last = now;
             }
         }
@@ -216,7 +218,10 @@ fn a_fast_wall_makes_short_steps() {
     fluid.boundary_mut().velocity[3].y = -100.0;
     let dt = fluid.begin_step(&parallel).unwrap();
     assert!((dt - 0.5 * L0 / 110.0).abs() < 1e-12 && fluid.limit() == Limit::Sound, "{dt} s");
-    assert_eq!((fluid.limits().shortest(), fluid.explain_step().unwrap().limits.sound), ((Limit::Sound, dt), dt));
+    assert_eq!(
+        (fluid.limits().shortest(), fluid.explain_step().unwrap().limits.sound),
+        ((Limit::Sound, dt), dt)
+    );
     // It is the wall's: the water is as slow as it is.
     assert_eq!(fluid.compressibility().mach, 0.0);
     // A wall slower than the water changes nothing.

@@ -31,11 +31,7 @@ fn couette<V: Viscosity<f64, 2>>(
     }
     let mut boundary = Boundary::default();
     let plates = [-4.0, rows as f64].map(|y| {
-        boundary.add_structure(
-            &lattice([0.0, y * L0], [COLUMNS, 4], L0),
-            core::iter::repeat(1.0),
-            Slip::None,
-        )
+        boundary.add_structure(&lattice([0.0, y * L0], [COLUMNS, 4], L0), core::iter::repeat(1.0), Slip::None)
     });
     boundary.velocity[plates[1].clone()].fill(Vector::from([SPEED, 0.0]));
     let domain = PeriodicBox::new(Vector::zeros(), [Some(width), None]).unwrap();

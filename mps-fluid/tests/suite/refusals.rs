@@ -3,7 +3,8 @@
 
 use crate::common::{lattice, tank_walls};
 use mps_fluid::{
-    ArtificialViscosity, Boundary, Fluid, FluidConfig, FluidError, FluidParticles, LaminarViscosity, Slip, Viscosity,
+    ArtificialViscosity, Boundary, Fluid, FluidConfig, FluidError, FluidParticles, LaminarViscosity, Slip,
+    Viscosity,
 };
 use mps_kernel::weights::Rational;
 use mps_kernel::{ReferenceDensity, Vector};
@@ -115,7 +116,8 @@ fn a_viscosity_that_is_none_is_refused() {
         assert!(laminar.contains("`viscosity`"), "{value}: {laminar}");
         let artificial = with(|r| ArtificialViscosity::new::<2>(value, 10.0, r));
         assert!(artificial.contains("`viscosity`"), "{value}: {artificial}");
-        let both = with(|r| (LaminarViscosity::new::<2>(1e-6, r), ArtificialViscosity::new::<2>(value, 10.0, r)));
+        let both =
+            with(|r| (LaminarViscosity::new::<2>(1e-6, r), ArtificialViscosity::new::<2>(value, 10.0, r)));
         assert!(both.contains("`viscosity`"), "{value}: {both}");
     }
     assert_eq!(with(|r| LaminarViscosity::new::<2>(0.0, r)), "accepted");
