@@ -8,8 +8,8 @@ use crate::explain::Starts;
 use crate::open::OpenBoundaries;
 use crate::rates::{Rates, State};
 use crate::search::Search;
+use crate::stability::stable_courant_number;
 use crate::terms::{Guard, Viscosity, WallPair};
-use crate::time_step::stable_courant_number;
 use crate::turn::{Stage, Turn};
 use crate::{Boundary, Compressibility, FluidConfig, FluidError, FluidParticles, Limit, Tension};
 use mps_kernel::weights::Rational;
@@ -85,7 +85,13 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         check_viscosity(viscosity.kinematic())?;
         let mut rates = Rates::default();
         rates.resize(len);
-        let stable_courant = stable_courant_number::<T, D, K>(config.diffusion, &kernel, &reference);
+        let stable_courant = stable_courant_number::<T, D, K, V>(
+            config.diffusion,
+            &kernel,
+            &reference,
+            &viscosity,
+            config.sound_speed,
+        );
         let mut fluid = Self {
             viscosity,
             eos: config.equation_of_state(),

@@ -29,6 +29,7 @@ mod regularize;
 mod saved;
 mod search;
 mod shear;
+mod stability;
 pub mod surface;
 mod terms;
 mod time_step;

@@ -2,8 +2,8 @@
 
 use crate::compressibility::deviation;
 use crate::terms::Viscosity;
-use crate::{Compressibility, Diffusion, Fluid, FluidConfig, FluidError};
-use mps_kernel::{Kernel, LatticeWaves, Real, ReferenceDensity, Vector};
+use crate::{Compressibility, Fluid, FluidConfig, FluidError};
+use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::{Domain, Parallel};
 
 /// What the length of a step follows from.
@@ -16,7 +16,7 @@ pub enum Limit {
     Viscosity,
     /// The largest acceleration, `sqrt(l0/a_max)`.
     Acceleration,
-    /// The stiffest wave of the lattice, which the density diffusion makes stiffer: 0.98 of
+    /// The stiffest wave of the lattice, which density diffusion and viscosity make stiffer: 0.98 of
     /// [`Fluid::stable_courant_number`](crate::Fluid::stable_courant_number) times `l0/c`.
     Diffusion,
 }
@@ -43,7 +43,7 @@ pub struct StepLimits<T> {
     pub viscosity: T,
     /// By the largest acceleration.
     pub acceleration: T,
-    /// By the density diffusion.
+    /// By density diffusion and viscosity together, and sound.
     pub diffusion: T,
 }
 
@@ -69,29 +69,6 @@ const ESCAPED: f64 = 20.0;
 
 /// Part of the largest stable Courant number that is used.
 const SAFETY: f64 = 0.98;
-
-/// The largest Courant number `c dt/l0` with which no wave of the lattice grows, with density diffusion and without.
-///
-/// A wave of velocity and density goes through `u' = u - i C kappa n`, `n' = n (1 - b) - i C kappa u'` in a step, with
-/// `b = C delta sigma`. Both eigenvalues stay in the unit circle while `C^2 kappa^2 + 2 b < 4`, hence
-/// `C < 4/(b' + sqrt(b'^2 + 4 kappa^2))` with `b' = delta sigma`. The stiffest wave of the diffusion alternates along every axis and has no slope
-/// `kappa` at all.
-pub(crate) fn stable_courant_number<T: Real, const D: usize, K: Kernel<T>>(
-    diffusion: Diffusion<T>,
-    kernel: &K,
-    reference: &ReferenceDensity<T>,
-) -> T {
-    let waves = LatticeWaves::<D>::new(kernel, reference);
-    let stiffness = waves.grid().fold(0.0_f64, |most, wave| {
-        let damping = match diffusion {
-            Diffusion::None => 0.0,
-            Diffusion::Filter { delta } => delta.to_double() * wave.filter,
-            Diffusion::Hydrostatic => wave.laplacian,
-        };
-        most.max(damping + (damping * damping + 4.0 * wave.slope).sqrt())
-    });
-    T::of(4.0 / stiffness)
-}
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
     /// `dt = C min(l0/(v_max + c), l0^2/(8 nu))` (eq. 46), `sqrt(l0/a_max)` for sudden forces, and what the density diffusion bears.
@@ -156,8 +133,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         self.step_limits(speed, most(&self.rates.acceleration))
     }
 
-    /// The largest Courant number `c dt/l0` with which no wave on the lattice grows, which depends on weight, radius and density diffusion
-    /// \[-\]. Steps stay 2 % below it, whatever [`FluidConfig::cfl`] asks for.
+    /// The largest Courant number `c dt/l0` with which no wave on the lattice grows, which depends on weight, radius, density diffusion and
+    /// viscosity \[-\]. Steps stay 2 % below it, whatever [`FluidConfig::cfl`] asks for.
     pub fn stable_courant_number(&self) -> T {
         self.stable_courant
     }
