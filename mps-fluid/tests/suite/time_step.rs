@@ -123,7 +123,7 @@ fn viscosity_is_in_the_border() {
             let mut fluid = viscous_noise::<D, _, _>(Rational, radius, diffusion, cfl, &viscosity);
             let border = fluid.stable_courant_number();
             let mut largest = 0.0_f64;
-            for _ in 0..300 {
+            for _ in 0..120 {
                 fluid.step(&Parallel::serial()).unwrap();
                 let off = fluid.particles().density.iter().map(|n| (n - 1.0).abs() / 1e-9);
                 largest = off.fold(largest, f64::max);
