@@ -42,7 +42,8 @@ pub enum Shear {
     Law,
 }
 
-/// Walls and wetted structures as one set of points, never reordered.
+/// Walls and wetted structures as one set of points, never reordered. Points are added by [`add_wall`](Self::add_wall) and its sisters, which keep
+/// all fields of one length; [`Fluid::new`](crate::Fluid::new) and [`begin_step`](crate::Fluid::begin_step) refuse other ones.
 #[derive(Clone, Debug)]
 pub struct Boundary<T: Real, const D: usize> {
     /// Position \[m\].
@@ -93,13 +94,15 @@ impl<T: Real, const D: usize> Boundary<T, D> {
     /// Adds the points of a wall that is moved from outside or not at all; each has the volume of
     /// a fluid particle. Walls come before structures.
     ///
-    /// Returns the range of the new points, or `None` if a structure has been added before.
+    /// Returns the range of the new points, or `None` if a structure has been added before: nothing has been added then.
+    #[must_use = "`None` means that no wall has been added"]
     pub fn add_wall(&mut self, points: &[Vector<T, D>], slip: Slip) -> Option<Range<usize>> {
         self.add_fine_wall(points, T::one(), slip)
     }
 
     /// As [`add_wall`](Self::add_wall), of points that lie closer than the particles of the fluid:
-    /// each has the `volume` of this many of them, `1/2^D` at half the spacing.
+    /// each has the `volume` of this many of them, `1/2^D` at half the spacing. A volume that is not positive is refused by the fluid.
+    #[must_use = "`None` means that no wall has been added"]
     pub fn add_fine_wall(&mut self, points: &[Vector<T, D>], volume: T, slip: Slip) -> Option<Range<usize>> {
         if !self.reactive.is_empty() {
             return None;
@@ -111,7 +114,9 @@ impl<T: Real, const D: usize> Boundary<T, D> {
     }
 
     /// Adds the points of a structure that receives the reaction, with their volumes relative to a
-    /// fluid particle.
+    /// fluid particle, one a point. Too few of them, or one that is not positive, are refused by the fluid.
+    ///
+    /// Returns the range of the new points: they are found nowhere else.
     pub fn add_structure(
         &mut self,
         points: &[Vector<T, D>],

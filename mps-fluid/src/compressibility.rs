@@ -1,7 +1,8 @@
 //! How far a fluid is from incompressible: what the speed of sound has been chosen for, watched while it runs.
 
-use crate::Fluid;
+use crate::eos::EquationOfState;
 use crate::terms::Viscosity;
+use crate::{Fluid, Tension};
 use mps_kernel::{Kernel, Real};
 use mps_neighbors::Domain;
 
@@ -10,8 +11,8 @@ use mps_neighbors::Domain;
 pub struct Compressibility<T> {
     /// Largest speed of a particle over the speed of sound \[-\].
     pub mach: T,
-    /// Largest difference of a density ratio `n/n0` from 1 that makes a pressure \[-\]: of compression alone with
-    /// [`Tension::Clip`](crate::Tension::Clip).
+    /// Largest difference of a density ratio `n/n0` from 1 that makes a pressure \[-\]: with [`Tension::Clip`](crate::Tension::Clip)
+    /// of compression alone, unless a background pressure is there to be lost.
     pub density: T,
 }
 
@@ -22,11 +23,16 @@ impl<T: Real> Compressibility<T> {
     }
 }
 
-/// Difference of a density ratio from 1, if it makes a pressure; a part of [`Compressibility`].
+/// Difference of a density ratio from 1 as far as it makes a pressure: below `loosest` there is none. A part of [`Compressibility`].
 #[inline(always)]
-pub(crate) fn deviation<T: Real>(density: T, clip: bool) -> T {
-    let compression = density - T::one();
-    if clip { compression.max(T::zero()) } else { compression.abs() }
+pub(crate) fn deviation<T: Real>(density: T, loosest: T) -> T {
+    (bounded(density, loosest) - T::one()).abs()
+}
+
+/// The density ratio, or `loosest` below that. What is no number stays so, which `max` would hide.
+#[inline(always)]
+pub(crate) fn bounded<T: Real>(density: T, loosest: T) -> T {
+    if density < loosest { loosest } else { density }
 }
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
@@ -38,5 +44,14 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// The largest values of [`compressibility`](Self::compressibility) in all steps so far, those before a restart as well.
     pub fn largest_compressibility(&self) -> Compressibility<T> {
         self.compressibility_seen
+    }
+
+    /// The density ratio at which the pressure has fallen to zero, and below which it stays there \[-\]: 1 without a background pressure; zero
+    /// for a fluid that bears tension.
+    pub(crate) fn loosest(&self) -> T {
+        match self.config.tension {
+            Tension::Clip => self.eos.density(T::zero()),
+            Tension::Keep => T::zero(),
+        }
     }
 }

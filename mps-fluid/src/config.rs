@@ -85,8 +85,8 @@ pub struct FluidConfig<T: Real, const D: usize> {
     pub gravity: Vector<T, D>,
     /// Diffusion of the density. Default [`Diffusion::Filter`] with 0.5.
     pub diffusion: Diffusion<T>,
-    /// Courant number of eq. 46. Default 0.5; the paper's 0.1 costs five times as much, see docs. What the density diffusion bears is not
-    /// exceeded: [`Fluid::stable_courant_number`](crate::Fluid::stable_courant_number).
+    /// Courant number of eq. 46. Default 0.5; the paper's 0.1 costs five times as much, see docs. What density diffusion and viscosity bear
+    /// is not exceeded: [`Fluid::stable_courant_number`](crate::Fluid::stable_courant_number).
     pub cfl: T,
     /// Treatment of negative pressure. Default [`Tension::Clip`].
     pub tension: Tension,

@@ -33,6 +33,43 @@ pub enum FluidError {
         /// Number of particles.
         particles: usize,
     },
+    /// A particle cannot begin as it is.
+    #[error("fluid particle {id} begins with the {quantity} {value}: {hint}")]
+    Initial {
+        /// Identity of the particle.
+        id: u32,
+        /// Which quantity.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// What is allowed.
+        hint: &'static str,
+    },
+    /// A field of the boundary has the wrong length.
+    #[error(
+        "boundary field `{field}` has {len} entries for {points} points: all fields need one entry per point; add points with `add_wall` or \
+         `add_structure`, the latter with as many volumes as points"
+    )]
+    BoundaryLength {
+        /// Name of the field.
+        field: &'static str,
+        /// Its length.
+        len: usize,
+        /// Number of points.
+        points: usize,
+    },
+    /// A boundary point is nothing a fluid could feel.
+    #[error("boundary point {point} has the {quantity} {value}: {hint}")]
+    BoundaryPoint {
+        /// Index of the point.
+        point: usize,
+        /// Which quantity.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// What is allowed.
+        hint: &'static str,
+    },
     /// The reference density could not be formed.
     #[error(transparent)]
     Reference(#[from] ReferenceDensityError),
@@ -44,6 +81,24 @@ pub enum FluidError {
     Opening {
         /// What is wrong and what to do.
         what: String,
+    },
+    /// A half of a step out of its turn.
+    #[error(
+        "`{call}` of the fluid was called where no step had begun, or one that could not go on, and has done nothing: call `begin_step` before, \
+         once a step, and stop at its errors"
+    )]
+    Turn {
+        /// The function.
+        call: &'static str,
+    },
+    /// A step of no length.
+    #[error(
+        "`finish_step` of the fluid was asked for a step of {dt} s and has done nothing: give it what `begin_step` has returned, or a shorter \
+         time greater than zero"
+    )]
+    StepLength {
+        /// The length \[s\].
+        dt: f64,
     },
     /// An inlet is asked to draw fluid in, or for no number.
     #[error(

@@ -1,14 +1,16 @@
 //! The fluid and the story of one step.
 
 use crate::budget::Books;
+use crate::checks::{THINNEST, check_viscosity};
 use crate::eos::{EquationOfState, Tait};
 use crate::exchange::Exchange;
 use crate::explain::Starts;
 use crate::open::OpenBoundaries;
 use crate::rates::{Rates, State};
 use crate::search::Search;
+use crate::stability::stable_courant_number;
 use crate::terms::{Guard, Viscosity, WallPair};
-use crate::time_step::stable_courant_number;
+use crate::turn::{Stage, Turn};
 use crate::{Boundary, Compressibility, FluidConfig, FluidError, FluidParticles, Limit, Tension};
 use mps_kernel::weights::Rational;
 use mps_kernel::{Clock, Kernel, ParticleStore, Real, ReferenceDensity, Vector};
@@ -53,27 +55,17 @@ pub struct Fluid<
     pub(crate) compressibility: Compressibility<T>,
     pub(crate) compressibility_seen: Compressibility<T>,
     /// How far the present step is.
-    pub(crate) stage: Stage,
+    pub(crate) turn: Turn,
     /// What particles were like when the step began, if somebody wants to know.
     pub(crate) starts: Option<Box<Starts<T, D>>>,
-}
-
-/// How far a step is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Stage {
-    /// The last one is finished.
-    Between,
-    /// It has begun; what the sweeps left behind is not of it yet.
-    Begun,
-    /// Accelerations are known.
-    Swept,
 }
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
     /// A fluid from its particles, the walls and structures around it and its parameters.
     ///
     /// # Errors
-    /// If a parameter is out of range or the fields of the particles differ in length.
+    /// If a parameter or the viscosity is out of range, the fields of the particles or those of the boundary differ in length, a particle has a
+    /// position, velocity or density that is no number or a density ratio below 0.1, or a boundary point has no volume or is nowhere.
     pub fn new(
         config: FluidConfig<T, D>,
         kernel: K,
@@ -83,23 +75,25 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         boundary: Boundary<T, D>,
     ) -> Result<Self, FluidError> {
         config.validate()?;
+        particles.check_lengths()?;
+        particles.check_values()?;
+        boundary.check_lengths()?;
+        boundary.check_points()?;
         let len = particles.len();
-        for (field, found) in [
-            ("velocity", particles.velocity.len()),
-            ("density", particles.density.len()),
-            ("pressure", particles.pressure.len()),
-            ("id", particles.id.len()),
-        ] {
-            if found != len {
-                return Err(FluidError::FieldLength { field, len: found, particles: len });
-            }
-        }
         let reference = ReferenceDensity::lattice::<K, D>(&kernel, config.spacing, config.radius())?;
+        let viscosity = viscosity(&reference);
+        check_viscosity(viscosity.kinematic())?;
         let mut rates = Rates::default();
         rates.resize(len);
-        let stable_courant = stable_courant_number::<T, D, K>(config.diffusion, &kernel, &reference);
+        let stable_courant = stable_courant_number::<T, D, K, V>(
+            config.diffusion,
+            &kernel,
+            &reference,
+            &viscosity,
+            config.sound_speed,
+        );
         let mut fluid = Self {
-            viscosity: viscosity(&reference),
+            viscosity,
             eos: config.equation_of_state(),
             search: Search::new(&config),
             config,
@@ -119,7 +113,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             stable_courant,
             compressibility: Compressibility::default(),
             compressibility_seen: Compressibility::default(),
-            stage: Stage::Between,
+            turn: Turn::default(),
             starts: None,
         };
         fluid.check_law()?;
@@ -141,31 +135,43 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// Everything that can be known before anybody moves: neighbours, collisions, pressures,
     /// accelerations, and the forces on the reactive points of the boundary.
     ///
-    /// Returns the longest stable time step \[s\] (eq. 46).
+    /// Returns the longest stable time step \[s\] (eq. 46). Begun once more without having been finished, a step has new forces for
+    /// whatever has been changed meanwhile, and is not regularised again.
     ///
     /// # Errors
-    /// If a particle's state is not finite or its speed makes the time step collapse.
+    /// If a particle's state is not finite or its speed makes the time step collapse; if the number of particles or of entries of a field has
+    /// been changed; if one of the other halves has been refused since the last step, which is said once.
     pub fn begin_step(&mut self, parallel: &Parallel) -> Result<T, FluidError> {
-        self.stage = Stage::Begun;
+        self.turn.admit()?;
+        self.check_lengths()?;
+        self.turn.stage = Stage::Begun;
+        self.forget_field();
         self.meet_neighbours(parallel)?;
         self.drive_inlets()?;
-        self.remember_starts();
-        self.shift(parallel)?;
-        self.relax_densities(parallel)?;
-        self.collide(parallel);
+        let again = core::mem::replace(&mut self.turn.regularised, true);
+        if !again {
+            self.remember_starts();
+            self.shift(parallel)?;
+            self.relax_densities(parallel)?;
+            self.collide(parallel);
+        }
         self.evaluate_pressure(parallel);
         self.sweep_correction(parallel);
         self.prepare_shear(parallel)?;
         self.sweep_momentum(parallel);
-        self.hold_outlets(parallel);
+        let held = core::mem::replace(&mut self.turn.held, true);
+        self.hold_outlets(parallel, held);
         self.react(parallel);
         self.prepare_exchange();
-        self.stage = Stage::Swept;
-        self.stable_step(parallel)
+        self.turn.stage = Stage::Stuck;
+        let dt = self.stable_step(parallel)?;
+        self.turn.stage = Stage::Swept;
+        Ok(dt)
     }
 
     /// Adds to the accelerations found by [`begin_step`](Fluid::begin_step) one that depends on the
-    /// place \[m/s^2\]: a central force, a field that changes with time. Belongs between the halves of a step.
+    /// place \[m/s^2\]: a central force, a field that changes with time. Belongs between the halves of a step: elsewhere it does nothing, and
+    /// [`begin_step`](Fluid::begin_step) says so.
     ///
     /// The walls do not know of it: what they show follows the gravity of the parameters. Hence for fluid
     /// away from walls, or for fields along them. The time step has been chosen without it. Beyond outlets nothing acts; the hydrostatic
@@ -175,6 +181,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         parallel: &Parallel,
         field: impl Fn(&Vector<T, D>) -> Vector<T, D> + Sync,
     ) {
+        if !self.turn.may("add_acceleration") || !self.turn.accepts(self.check_lengths()) {
+            return;
+        }
         self.book_field(parallel, &field);
         let position = &self.particles.position;
         parallel.update(self.rates.acceleration.as_mut_slice(), |i, a| *a += field(&position[i]));
@@ -186,7 +195,13 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     ///
     /// Boundary velocities must be those of this step, boundary positions those of its start;
     /// whoever moves the boundary sets the new positions afterwards.
+    ///
+    /// Without a step that has begun, with a `dt` that is not positive and finite, or after a field has got another length it does nothing;
+    /// the next [`begin_step`](Fluid::begin_step) returns the reason as its error.
     pub fn finish_step(&mut self, parallel: &Parallel, dt: T) {
+        if !self.turn.may("finish_step") || !self.turn.lasts(dt) || !self.turn.accepts(self.check_lengths()) {
+            return;
+        }
         self.finish_exchange();
         self.follow_outlets(dt);
         let Rates { acceleration, flow, .. } = &mut self.rates;
@@ -202,8 +217,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let FluidParticles { position, velocity, density, .. } = &mut self.particles;
         let (velocity, rate) = (&*velocity, &self.rates.density_rate);
         let domain = self.domain;
-        // Far below any density of a connected fluid; keeps the ratios n_i/n_j of spray finite.
-        let thinnest = T::of(0.1);
+        let thinnest = T::of(THINNEST);
         parallel.update((position.as_mut_slice(), density.as_mut_slice()), |i, (r, n)| {
             *r = domain.wrap(*r + velocity[i] * dt);
             let next = *n + rate[i] * dt;
@@ -214,7 +228,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         self.time = self.time.after(dt);
         self.last_dt = dt;
         self.steps += 1;
-        self.stage = Stage::Between;
+        self.turn = Turn::default();
     }
 
     /// Rebuilds the neighbour rows if they have expired. Particles enter and leave on that occasion.
@@ -222,8 +236,10 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if !self.search.expired(parallel, &self.domain, &self.particles, &self.boundary) {
             return Ok(());
         }
+        // Structures and openings come after the fluid has been made.
+        self.boundary.check_points()?;
         let newcomers = self.let_pass();
-        self.search.rebuild(parallel, &self.domain, &mut self.particles, &self.boundary)?;
+        self.search.rebuild(parallel, &self.domain, &mut self.particles, &mut self.rates, &self.boundary)?;
         if let Some(first) = newcomers {
             self.welcome(first);
         }
@@ -307,7 +323,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     }
 
     /// Sum of weights over `n0` of each particle \[-\], as last measured by
-    /// [`measure_packing`](Self::measure_packing); empty before that.
+    /// [`measure_packing`](Self::measure_packing); empty before that. It goes with its particle into another order, and is zero for one
+    /// that has entered since.
     pub fn packing(&self) -> &[T] {
         &self.rates.packing
     }

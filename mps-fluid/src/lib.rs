@@ -6,6 +6,7 @@
 
 mod boundary;
 mod budget;
+mod checks;
 mod compressibility;
 mod config;
 mod continuity;
@@ -28,9 +29,11 @@ mod regularize;
 mod saved;
 mod search;
 mod shear;
+mod stability;
 pub mod surface;
 mod terms;
 mod time_step;
+mod turn;
 
 pub use boundary::{Boundary, Shear, Slip};
 pub use budget::EnergyBudget;

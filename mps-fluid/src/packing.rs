@@ -19,7 +19,13 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// If a position is not finite.
     pub fn measure_packing(&mut self, parallel: &Parallel) -> Result<(), FluidError> {
         if !self.search.is_of(&self.particles, &self.boundary) {
-            self.search.rebuild(parallel, &self.domain, &mut self.particles, &self.boundary)?;
+            self.search.rebuild(
+                parallel,
+                &self.domain,
+                &mut self.particles,
+                &mut self.rates,
+                &self.boundary,
+            )?;
         }
         self.rates.resize_packing(self.particles.position.len());
         let mut packing = core::mem::take(&mut self.rates.packing);

@@ -1,10 +1,10 @@
 //! What the sweeps of a step leave behind and read of each other.
 
 use mps_kernel::{Real, Tensor, Vector};
-use mps_neighbors::Placed;
+use mps_neighbors::{NeighborError, Permutation, Placed};
 
 /// What the sweeps of a step leave behind, one entry a particle. Rebuilt in every step, hence
-/// neither permuted nor saved.
+/// neither permuted nor saved, but for the packing, which is measured on request and permuted.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Rates<T: Real, const D: usize> {
     /// What the momentum sweep reads of a neighbour.
@@ -26,6 +26,8 @@ pub(crate) struct Rates<T: Real, const D: usize> {
     pub(crate) stress: Vec<Tensor<T, D>>,
     /// Where the wall is to which the fluid sticks: see [`WallShear`](crate::shear::WallShear). Empty if it has never stuck to one.
     pub(crate) toward_wall: Vec<Vector<T, D>>,
+    /// The same of a second wall on the other side, in narrow gaps.
+    pub(crate) wall_behind: Vec<Vector<T, D>>,
     /// Drag by the law of the wall, likewise. Empty if there has never been such a wall.
     pub(crate) wall_drag: Vec<Vector<T, D>>,
     /// Velocity or position change of the regularisation, in its units; empty without any.
@@ -89,5 +91,19 @@ impl<T: Real, const D: usize> Rates<T, D> {
     pub(crate) fn resize_packing(&mut self, len: usize) {
         self.packing.resize(len, T::zero());
         self.asymmetry.resize(len, Vector::zeros());
+    }
+
+    /// Lets the measures of packing follow the particles into a new order: they are shown until they are measured again.
+    pub(crate) fn reorder(
+        &mut self,
+        permutation: &mut Permutation,
+        order: &[u32],
+    ) -> Result<(), NeighborError> {
+        if self.packing.is_empty() {
+            return Ok(());
+        }
+        self.resize_packing(order.len());
+        permutation.apply_to(&mut self.packing, order)?;
+        permutation.apply_to(&mut self.asymmetry, order)
     }
 }

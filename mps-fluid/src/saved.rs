@@ -2,11 +2,11 @@
 
 use crate::budget::Books;
 use crate::exchange::Exchange;
-use crate::fluid::Stage;
 use crate::open::OpenBoundaries;
 use crate::rates::Rates;
 use crate::terms::Viscosity;
-use crate::{Boundary, EnergyBudget, Fluid};
+use crate::turn::{Stage, Turn};
+use crate::{Boundary, EnergyBudget, Fluid, Limit};
 use mps_kernel::{Kernel, Real, Transfer};
 use mps_neighbors::{Domain, Parallel};
 
@@ -15,10 +15,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// books if it had some. It goes on with the same bits, for any number of threads.
     ///
     /// Refused between [`begin_step`](Self::begin_step) and [`finish_step`](Self::finish_step), and after a step that failed: the particles are
-    /// then neither before nor after it. Restored are only values; parameters, and the speeds of inlets, are those of the new fluid.
+    /// then neither before nor after it. Restored are only values; parameters, and the speeds of inlets, are those of the new fluid, but for the
+    /// Courant number, which may have been changed on the way: to go on with another one, set it afterwards.
     pub fn transfer(&mut self, parallel: &Parallel, transfer: &mut Transfer<'_>) {
         let Self {
-            config: _,
+            config,
             kernel: _,
             viscosity: _,
             domain,
@@ -34,14 +35,14 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             time,
             steps,
             last_dt,
-            limit: _,
+            limit,
             stable_courant: _,
             compressibility,
             compressibility_seen,
-            stage,
+            turn,
             starts: _,
         } = self;
-        if *stage != Stage::Between && !transfer.is_restoring() {
+        if turn.stage != Stage::Between && !transfer.is_restoring() {
             transfer.refuse("a step has begun and is not finished: save the state between two steps");
         }
         transfer.within("particles", |transfer| transfer.particles(particles));
@@ -58,6 +59,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         transfer.within("time", |transfer| time.transfer(transfer));
         transfer.value("steps", steps);
         transfer.value("last step", last_dt);
+        transfer.value("Courant number", &mut config.cfl);
+        transfer.within("limit", |transfer| limit.transfer(transfer));
         for (name, both) in [("", compressibility), ("largest ", compressibility_seen)] {
             transfer.value(&format!("{name}Mach number"), &mut both.mach);
             transfer.value(&format!("{name}density deviation"), &mut both.density);
@@ -67,7 +70,19 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             *rates = Rates::default();
             rates.resize(particles.position.len());
             *exchange = Exchange::default();
-            *stage = Stage::Between;
+            *turn = Turn::default();
+        }
+    }
+}
+
+impl Limit {
+    fn transfer(&mut self, transfer: &mut Transfer<'_>) {
+        let known = [Self::Sound, Self::Viscosity, Self::Acceleration, Self::Diffusion];
+        let mut number = known.iter().position(|limit| limit == self).map_or(0, |k| k as u64);
+        transfer.value("number", &mut number);
+        match known.get(number as usize) {
+            Some(limit) => *self = *limit,
+            None => transfer.refuse(format!("there is no limit of the step with the number {number}")),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The neighbour rows of the fluid and when they are rebuilt.
 
+use crate::rates::Rates;
 use crate::{Boundary, FluidConfig, FluidError, FluidParticles};
 use mps_kernel::{Real, Transfer, Vector};
 use mps_neighbors::{Cells, Domain, NeighborError, Parallel, Permutation, Rows, Skin};
@@ -29,7 +30,7 @@ pub(crate) struct Search<T: Real, const D: usize> {
 impl<T: Real, const D: usize> Search<T, D> {
     pub(crate) fn new(config: &FluidConfig<T, D>) -> Self {
         let skin = config.skin_ratio * config.spacing;
-        // Shifting moves particles between the check and the sweeps; its bound is kept in reserve.
+        // Shifting moves particles between the check and the sweeps; its bound is kept in reserve, and rows reach as far even without a skin.
         let reserve = match config.shifting {
             Some(_) => T::of(2.0) * crate::regularize::largest_shift(config.spacing),
             None => T::zero(),
@@ -43,8 +44,8 @@ impl<T: Real, const D: usize> Search<T, D> {
             boundary_cells: Cells::new(),
             permutation: Permutation::default(),
             skin: Skin::new((skin - reserve).max(T::zero())),
-            reach: config.radius() + skin,
-            close_reach: config.collisions.map(|_| config.spacing + skin),
+            reach: config.radius() + skin.max(reserve),
+            close_reach: config.collisions.map(|_| config.spacing + skin.max(reserve)),
             rebuilds: 0,
         }
     }
@@ -66,16 +67,18 @@ impl<T: Real, const D: usize> Search<T, D> {
         self.skin.built_from().is_some_and(|sets| sets.iter().map(Vec::len).eq(now))
     }
 
-    /// Puts the particles into spatial order and builds all rows anew.
+    /// Puts the particles into spatial order, with what has been measured of them, and builds all rows anew.
     pub(crate) fn rebuild<P: Domain<T, D>>(
         &mut self,
         parallel: &Parallel,
         domain: &P,
         particles: &mut FluidParticles<T, D>,
+        rates: &mut Rates<T, D>,
         boundary: &Boundary<T, D>,
     ) -> Result<(), FluidError> {
         self.cells.build(parallel, domain, &particles.position, self.reach)?;
         self.permutation.apply(particles, self.cells.order())?;
+        rates.reorder(&mut self.permutation, self.cells.order())?;
         self.cells.settle();
         self.find_rows(parallel, domain, &particles.position, &boundary.position, boundary)?;
         self.skin.renew(&[&particles.position, &boundary.position]);

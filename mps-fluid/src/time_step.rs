@@ -2,21 +2,21 @@
 
 use crate::compressibility::deviation;
 use crate::terms::Viscosity;
-use crate::{Compressibility, Diffusion, Fluid, FluidConfig, FluidError, Tension};
-use mps_kernel::{Kernel, LatticeWaves, Real, ReferenceDensity, Vector};
+use crate::{Compressibility, Fluid, FluidConfig, FluidError};
+use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::{Domain, Parallel};
 
 /// What the length of a step follows from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Limit {
-    /// The way of sound and of the fastest particle, `l0/(v_max + c)`.
+    /// The way of sound and of the fastest particle or boundary point, `l0/(v_max + c)`.
     #[default]
     Sound,
     /// Viscosity, `l0^2/(8 nu)`.
     Viscosity,
     /// The largest acceleration, `sqrt(l0/a_max)`.
     Acceleration,
-    /// The stiffest wave of the lattice, which the density diffusion makes stiffer: 0.98 of
+    /// The stiffest wave of the lattice, which density diffusion and viscosity make stiffer: 0.98 of
     /// [`Fluid::stable_courant_number`](crate::Fluid::stable_courant_number) times `l0/c`.
     Diffusion,
 }
@@ -37,13 +37,13 @@ impl Limit {
 /// of stability whatever the Courant number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepLimits<T> {
-    /// By sound and the fastest particle.
+    /// By sound and the fastest particle or boundary point.
     pub sound: T,
     /// By viscosity.
     pub viscosity: T,
     /// By the largest acceleration.
     pub acceleration: T,
-    /// By the density diffusion.
+    /// By density diffusion and viscosity together, and sound.
     pub diffusion: T,
 }
 
@@ -70,54 +70,44 @@ const ESCAPED: f64 = 20.0;
 /// Part of the largest stable Courant number that is used.
 const SAFETY: f64 = 0.98;
 
-/// The largest Courant number `c dt/l0` with which no wave of the lattice grows, with density diffusion and without.
-///
-/// A wave of velocity and density goes through `u' = u - i C kappa n`, `n' = n (1 - b) - i C kappa u'` in a step, with
-/// `b = C delta sigma`. Both eigenvalues stay in the unit circle while `C^2 kappa^2 + 2 b < 4`, hence
-/// `C < 4/(b' + sqrt(b'^2 + 4 kappa^2))` with `b' = delta sigma`. The stiffest wave of the diffusion alternates along every axis and has no slope
-/// `kappa` at all.
-pub(crate) fn stable_courant_number<T: Real, const D: usize, K: Kernel<T>>(
-    diffusion: Diffusion<T>,
-    kernel: &K,
-    reference: &ReferenceDensity<T>,
-) -> T {
-    let waves = LatticeWaves::<D>::new(kernel, reference);
-    let stiffness = waves.grid().fold(0.0_f64, |most, wave| {
-        let damping = match diffusion {
-            Diffusion::None => 0.0,
-            Diffusion::Filter { delta } => delta.to_double() * wave.filter,
-            Diffusion::Hydrostatic => wave.laplacian,
-        };
-        most.max(damping + (damping * damping + 4.0 * wave.slope).sqrt())
-    });
-    T::of(4.0 / stiffness)
-}
-
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
     /// `dt = C min(l0/(v_max + c), l0^2/(8 nu))` (eq. 46), `sqrt(l0/a_max)` for sudden forces, and what the density diffusion bears.
     pub(crate) fn stable_step(&mut self, parallel: &Parallel) -> Result<T, FluidError> {
         let (u, a, n) = (&self.particles.velocity, &self.rates.acceleration, &self.particles.density);
-        let clip = self.config.tension == Tension::Clip;
+        let loosest = self.loosest();
         // Keeps a NaN once it has met one, so that it cannot hide behind a comparison.
         let largest = |x: T, y: T| if x > y || x.partial_cmp(&x).is_none() { x } else { y };
         let (v2, a2, density) = parallel.fold(
             u.len(),
             (T::zero(), T::zero(), T::zero()),
-            &|i| (u[i].norm_squared(), a[i].norm_squared(), deviation(n[i], clip)),
+            &|i| (u[i].norm_squared(), a[i].norm_squared(), deviation(n[i], loosest)),
             &|x, y| (largest(x.0, y.0), largest(x.1, y.1), largest(x.2, y.2)),
         );
-        if !(v2.is_finite() && a2.is_finite()) {
+        // Before the fluid: a wall that is no number spoils the particles next to it.
+        let wall = self.boundary_speed(parallel);
+        if !wall.is_finite() {
+            self.boundary.check_points()?;
+        }
+        if !(v2.is_finite() && a2.is_finite() && density.is_finite()) {
             return Err(self.find_not_finite());
         }
         let v = v2.sqrt();
         self.compressibility = Compressibility { mach: v / self.config.sound_speed, density };
         self.compressibility_seen = self.compressibility_seen.larger(&self.compressibility);
-        let (limit, dt) = self.step_limits(v, a2.sqrt()).shortest();
+        let (limit, dt) = self.step_limits(v.max(wall), a2.sqrt()).shortest();
         self.limit = limit;
         if v > self.config.sound_speed * T::of(ESCAPED) {
             return Err(self.find_fastest(dt));
         }
         Ok(dt)
+    }
+
+    /// The largest speed of a boundary point \[m/s\].
+    pub(crate) fn boundary_speed(&self, parallel: &Parallel) -> T {
+        let u = &self.boundary.velocity;
+        // Not `max`, which would hide what is no number.
+        let sum = |x: T, y: T| if x > y || x.partial_cmp(&x).is_none() { x } else { y };
+        parallel.fold(u.len(), T::zero(), &|a| u[a].norm_squared(), &sum).sqrt()
     }
 
     /// The limits at the largest speed \[m/s\] and the largest acceleration \[m/s^2\].
@@ -139,11 +129,12 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// The limits at the present velocities and the accelerations of the last step.
     pub fn limits(&self) -> StepLimits<T> {
         let most = |vectors: &[Vector<T, D>]| vectors.iter().fold(T::zero(), |most, x| most.max(x.norm()));
-        self.step_limits(most(&self.particles.velocity), most(&self.rates.acceleration))
+        let speed = most(&self.particles.velocity).max(most(&self.boundary.velocity));
+        self.step_limits(speed, most(&self.rates.acceleration))
     }
 
-    /// The largest Courant number `c dt/l0` with which no wave on the lattice grows, which depends on weight, radius and density diffusion
-    /// \[-\]. Steps stay 2 % below it, whatever [`FluidConfig::cfl`] asks for.
+    /// The largest Courant number `c dt/l0` with which no wave on the lattice grows, which depends on weight, radius, density diffusion and
+    /// viscosity \[-\]. Steps stay 2 % below it, whatever [`FluidConfig::cfl`] asks for.
     pub fn stable_courant_number(&self) -> T {
         self.stable_courant
     }

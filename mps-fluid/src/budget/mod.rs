@@ -24,7 +24,7 @@ use powers::Powers;
 /// negative where it has lost.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EnergyBudget<T> {
-    /// Viscosity of fluid pairs and of boundaries without slip; negative.
+    /// Viscosity of fluid pairs, and the shear of boundaries as seen by somebody who moves with them; negative.
     pub viscosity: T,
     /// Diffusion of the density, through the energy of compression.
     pub diffusion: T,
@@ -34,10 +34,10 @@ pub struct EnergyBudget<T> {
     pub shifting: T,
     /// Relaxation of the density to the packing, through the energy of compression.
     pub relaxation: T,
-    /// What walls and structures hand over: the work of their motion, and of the hydrostatic difference by
+    /// What walls and structures hand over: the work of their motion against pressure and shear, and of the hydrostatic difference by
     /// which the pressure they show differs from the particle's own.
     pub boundary: T,
-    /// Accelerations added from outside ([`Fluid::add_acceleration`]).
+    /// Accelerations added from outside ([`Fluid::add_acceleration`]), and gravity along periodic axes.
     pub field: T,
 }
 
@@ -73,7 +73,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// Shifts the particles and books what their heights gain.
     pub(crate) fn shift(&mut self, parallel: &Parallel) -> Result<(), FluidError> {
         let height = |fluid: &Self| {
-            let (g, r) = (fluid.config.gravity, &fluid.particles.position);
+            let (g, r) = (fluid.gravity_with_potential(), &fluid.particles.position);
             -parallel.fold(r.len(), T::zero(), &|i| g.dot(&r[i]), &|a, b| a + b)
         };
         let before = self.books.as_ref().map(|_| height(self));
@@ -110,6 +110,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         }
     }
 
+    /// Forgets the accelerations from outside of a step that was begun and not finished.
+    pub(crate) fn forget_field(&mut self) {
+        self.books.iter_mut().for_each(|books| books.field.clear());
+    }
+
     /// Remembers an acceleration from outside.
     pub(crate) fn book_field(
         &mut self,
@@ -133,6 +138,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             state: &self.rates.state,
             flow: &self.rates.flow,
             field: &books.field,
+            driving: self.config.gravity - self.gravity_with_potential(),
             diffusivity: self.diffusivity(),
             slope: self.hydrostatic_slope(),
             half: dt * T::of(0.5),

@@ -10,14 +10,16 @@ use mps_kernel::small::{components, vector};
 use mps_kernel::{Kernel, Lanes, Neighborhood, Real, Vector, by_axis};
 use mps_neighbors::{Domain, RowView, Sweep};
 
-/// What acts on one particle over the step: power of viscosity \[W/kg\], of density diffusion \[W/m^3\], of boundary
-/// pressure and of the field from outside \[W/kg\].
+/// What acts on one particle over the step: power of viscosity \[W/kg\], of density diffusion \[W/m^3\], of the motion and the
+/// pressure of boundaries and of the field from outside \[W/kg\].
 pub(super) struct Powers<'a, T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> {
     pub(super) fluid: &'a Fluid<T, D, K, V, P>,
     pub(super) neighbors: RowView<'a, T, D, K, P>,
     pub(super) state: &'a [State<T, D>],
     pub(super) flow: &'a [Flow<T, D>],
     pub(super) field: &'a [Vector<T, D>],
+    /// Gravity along periodic axes \[m/s^2\].
+    pub(super) driving: Vector<T, D>,
     /// What the diffusion filter is multiplied with \[m^2/s\].
     pub(super) diffusivity: T,
     /// Slope of `n/n0` in a fluid at rest \[1/m\].
@@ -55,7 +57,7 @@ where
         let mean = fluid.particles.velocity[i] - fluid.rates.acceleration[i] * self.half;
         let walls = !fluid.boundary.is_empty();
         let (shear, wall) = if walls { fluid.work_of_boundary(i, &mean) } else { (T::zero(), T::zero()) };
-        let field = self.field.get(i).map_or(T::zero(), |a| a.dot(&mean));
+        let field = self.field.get(i).map_or(self.driving, |a| a + self.driving).dot(&mean);
         // The p/n of the stored energy, times n times the rate.
         let diffusion = fluid.particles.pressure[i] * self.diffusivity * filtered.sum();
         *power = [drag.dot(&mean) + shear, diffusion, wall, field];
@@ -63,13 +65,14 @@ where
 }
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
-    /// Power per mass \[W/kg\] of the boundary on a particle: of its shear, and of its pressure beyond what only
-    /// goes from motion into compression.
+    /// Power per mass \[W/kg\] of the boundary on a particle: what its shear takes from the motion relative to it; and what the motion of the
+    /// boundary gives, by shear and by pressure beyond what only goes from motion into compression.
     fn work_of_boundary(&self, i: usize, mean: &Vector<T, D>) -> (T, T) {
         let (wall, wall_shear, boundary) = (self.wall_pair(), self.wall_shear(), &self.boundary);
         let (own, pressure) = (&self.rates.state[i], self.particles.pressure[i]);
         let factor = self.reference.gradient_factor::<D>();
-        let (mut shear, mut force, mut inflow) = (T::zero(), Vector::zeros(), T::zero());
+        let (mut lost, mut carried) = (T::zero(), T::zero());
+        let (mut force, mut inflow) = (Vector::zeros(), T::zero());
         self.boundary_view().for_each(i, |pair| {
             let a = pair.j;
             force += wall.pressure_sum(pressure, own, boundary, pair);
@@ -80,11 +83,12 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             if let Some(drag) =
                 wall_shear.pair(&self.viscosity, i, pair, &own.velocity, &boundary.velocity[a])
             {
-                shear += drag.dot(mean);
+                lost += drag.dot(&(mean - boundary.velocity[a]));
+                carried += drag.dot(&boundary.velocity[a]);
             }
         });
         let motion = -self.corrected(i, force).dot(mean);
         let compression = own.share * inflow;
-        (shear, (motion + compression) * factor / self.config.density)
+        (lost, carried + (motion + compression) * factor / self.config.density)
     }
 }

@@ -154,10 +154,10 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     }
 
     /// Force \[N\] on reactive point `a` in the present sub-step: that of the start of the step and
-    /// the change of pressure since.
+    /// the change of pressure since. Zero for points of walls, whose forces are not found, and for points that there are not.
     pub fn force_on(&self, a: usize) -> Vector<T, D> {
         let exchange = &self.exchange;
-        let k = a - self.boundary.reactive().start;
+        let Some(k) = self.reactive_number(a) else { return Vector::zeros() };
         let mut sum = Vector::zeros();
         if exchange.point_start.len() > k + 1 {
             let links = exchange.point_start[k] as usize..exchange.point_start[k + 1] as usize;
@@ -166,7 +166,13 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             }
         }
         let factor = T::of(2.0) * self.reference.gradient_factor::<D>() * self.config.particle_volume();
-        self.boundary.force[a] + sum * factor - self.shear_on(a, k)
+        self.boundary.force.get(a).map_or(Vector::zeros(), |force| force + sum * factor - self.shear_on(a, k))
+    }
+
+    /// Number of boundary point `a` among the reactive ones, if it is one.
+    fn reactive_number(&self, a: usize) -> Option<usize> {
+        let reactive = self.boundary.reactive();
+        reactive.contains(&a).then(|| a - reactive.start)
     }
 
     /// What the shear on reactive point `a`, number `k`, has changed by since the start of the step, as a force on the fluid \[N\].

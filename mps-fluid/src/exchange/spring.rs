@@ -13,10 +13,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     ///
     /// `K_ab = 4 (D/n0)^2 V rho0 c^2 sum_i g_ia (x) g_ib`, `g_ia = V_a e_ia W_ia/r`.
     ///
-    /// Returned is `sum_b |K_ab|`, a bound for any motion of all structures. Of the last [`begin_step`](Fluid::begin_step); zero before the first.
+    /// Returned is `sum_b |K_ab|`, a bound for any motion of all structures. Of the last [`begin_step`](Fluid::begin_step); zero before the first, and for
+    /// points that are not reactive.
     pub fn interface_stiffness(&self, a: usize) -> T {
         let exchange = &self.exchange;
-        let k = a - self.boundary.reactive().start;
+        let Some(k) = self.reactive_number(a) else { return T::zero() };
         if exchange.point_start.len() <= k + 1 {
             return T::zero();
         }

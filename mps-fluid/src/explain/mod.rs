@@ -22,7 +22,6 @@ pub use density::DensityTerms;
 pub use step::StepExplanation;
 
 use crate::Fluid;
-use crate::fluid::Stage;
 use crate::terms::Viscosity;
 use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::Domain;
@@ -57,7 +56,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// [`begin_step`](Self::begin_step) that failed before its sweeps.
     pub fn explain(&self, i: usize, dt: T) -> Option<Explanation<T, D>> {
         let particles = &self.particles;
-        if self.stage != Stage::Swept || i >= particles.position.len() {
+        if !self.turn.stage.is_known() || i >= particles.position.len() {
             return None;
         }
         let (acceleration, mut neighbors) = self.acceleration_terms(i);

@@ -1,10 +1,9 @@
 //! The limits of a step, and who sets them.
 
-use crate::fluid::Stage;
 use crate::terms::Viscosity;
 use crate::{Fluid, Limit, StepLimits};
 use mps_kernel::{Kernel, Real, Vector};
-use mps_neighbors::Domain;
+use mps_neighbors::{Domain, Parallel};
 
 /// What the length of a step follows from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,7 +12,7 @@ pub struct StepExplanation<T> {
     pub limits: StepLimits<T>,
     /// The one that acts.
     pub limit: Limit,
-    /// The fastest particle, its number and speed \[m/s\].
+    /// The fastest particle, its number and speed \[m/s\]. A boundary point may be faster.
     pub fastest: (u32, T),
     /// The particle with the largest acceleration, and that \[m/s^2\].
     pub most_accelerated: (u32, T),
@@ -23,12 +22,14 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// What the length of the step that has begun follows from, and which particles set it. A value that is no number counts as the
     /// largest. `None` as in [`explain`](Self::explain), and without particles.
     pub fn explain_step(&self) -> Option<StepExplanation<T>> {
-        if self.stage != Stage::Swept {
+        if !self.turn.stage.is_known() {
             return None;
         }
         let (fastest, v) = largest(&self.particles.velocity)?;
         let (driven, a) = largest(&self.rates.acceleration)?;
-        let limits = self.step_limits(v, a);
+        let wall = self.boundary_speed(&Parallel::serial());
+        // Not `max`, which would hide a speed that is no number.
+        let limits = self.step_limits(if wall > v { wall } else { v }, a);
         let id = &self.particles.id;
         Some(StepExplanation {
             limits,

@@ -10,8 +10,8 @@ use mps_neighbors::{Domain, Parallel};
 
 impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>> Fluid<T, D, K, V, P> {
     /// Finds the pressure beyond the outlets and what the speeds at their planes have changed by, and takes the forces off the particles
-    /// there.
-    pub(crate) fn hold_outlets(&mut self, parallel: &Parallel) {
+    /// there. `again`: in this step this has been done before.
+    pub(crate) fn hold_outlets(&mut self, parallel: &Parallel, again: bool) {
         let (slab, zone) = (self.slab(), self.zone());
         let Some(open) = &mut self.open else { return };
         let (position, velocity) = (&self.particles.position, &self.particles.velocity);
@@ -29,7 +29,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             // Where nothing is before the plane, what is behind it goes on as it was.
             let now = speed.unwrap_or(open.speed[k]);
             // At the start the particles beyond have the velocities that they were given.
-            open.change[k] = if begun { now - open.speed[k] } else { T::zero() };
+            let change = if begun { now - open.speed[k] } else { T::zero() };
+            open.change[k] = if again { open.change[k] + change } else { change };
             open.speed[k] = now;
         }
         let (depth, spacing) = (zone, self.config.spacing);

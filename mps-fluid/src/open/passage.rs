@@ -30,6 +30,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let born = self.particles.position.len() - before;
         if leaving {
             self.particles.for_each_field(&mut Keep(&keep));
+            Keep(&keep).visit("packing", &mut self.rates.packing);
+            Keep(&keep).visit("asymmetry", &mut self.rates.asymmetry);
         }
         let len = self.particles.position.len();
         open.passed[0] += born as u64;

@@ -18,6 +18,8 @@ pub(crate) struct WallShear<'a, T: Real, const D: usize> {
     boundary: &'a Boundary<T, D>,
     /// `q_i` \[1/m\] of walls without slip; empty if the fluid sticks to none.
     toward_wall: &'a [Vector<T, D>],
+    /// The same of a second wall, behind the particle; zero for most.
+    wall_behind: &'a [Vector<T, D>],
     /// Drag of the law of the wall \[m/s^2\] for a unit of `V_a W_ia`; empty without such walls.
     wall_drag: &'a [Vector<T, D>],
 }
@@ -32,7 +34,11 @@ impl<T: Real, const D: usize> WallShear<'_, T, D> {
             Shear::Fluid => self.boundary.volume[pair.j],
             // Without viscosity nobody has looked where the wall is.
             Shear::Wall => self.toward_wall.get(i).map_or(T::zero(), |toward| {
-                self.boundary.volume[pair.j] * toward.dot(&pair.r_ij).max(T::zero())
+                let mut along = toward.dot(&pair.r_ij);
+                if along <= T::zero() {
+                    along = self.wall_behind.get(i).map_or(T::zero(), |behind| behind.dot(&pair.r_ij));
+                }
+                self.boundary.volume[pair.j] * along.max(T::zero())
             }),
         }
     }
@@ -101,6 +107,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         WallShear {
             boundary: &self.boundary,
             toward_wall: &self.rates.toward_wall,
+            wall_behind: &self.rates.wall_behind,
             wall_drag: &self.rates.wall_drag,
         }
     }

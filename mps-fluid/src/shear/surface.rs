@@ -13,41 +13,64 @@ pub(crate) struct Surface<T: Real, const D: usize> {
     pub(crate) distance: T,
 }
 
-impl<T: Real, const D: usize> Surface<T, D> {
-    /// The surface that the points with this `shear` show particle `i`; `None` away from them. Its distance is looked for among the points that
-    /// count, told how far they are along the direction towards the wall \[m\].
-    pub(crate) fn seen_from<K: Kernel<T>, P: Domain<T, D>>(
-        i: usize,
-        walls: &RowView<'_, T, D, K, P>,
-        boundary: &Boundary<T, D>,
-        shear: Shear,
-        spacing: T,
-        counts: impl Fn(T, &Pair<T, D>) -> bool,
-    ) -> Option<Self> {
+/// The points of one kind among those that a particle sees.
+pub(crate) struct Seen<'a, T: Real, const D: usize, K, P> {
+    /// The particle.
+    pub(crate) i: usize,
+    pub(crate) walls: &'a RowView<'a, T, D, K, P>,
+    pub(crate) boundary: &'a Boundary<T, D>,
+    pub(crate) shear: Shear,
+    /// Spacing of the fluid \[m\].
+    pub(crate) spacing: T,
+}
+
+impl<T: Real, const D: usize, K: Kernel<T>, P: Domain<T, D>> Seen<'_, T, D, K, P> {
+    /// Visits the points.
+    pub(crate) fn for_each(&self, mut visit: impl FnMut(&Pair<T, D>)) {
+        self.walls.for_each(self.i, |pair| {
+            if self.boundary.shear[pair.j] == self.shear {
+                visit(pair);
+            }
+        });
+    }
+
+    /// `V_a e_ia W_ia/r` of a point \[1/m\].
+    pub(crate) fn pull(&self, pair: &Pair<T, D>) -> Vector<T, D> {
+        pair.gradient_vector() * self.boundary.volume[pair.j]
+    }
+
+    /// Direction towards the points that `count`; `None` where there are none, or where they are all around.
+    pub(crate) fn toward(&self, counts: impl Fn(&Pair<T, D>) -> bool) -> Option<Vector<T, D>> {
         let mut lean = Vector::<T, D>::zeros();
-        walls.for_each(i, |pair| {
-            if boundary.shear[pair.j] == shear {
-                lean += pair.gradient_vector() * boundary.volume[pair.j];
+        self.for_each(|pair| {
+            if counts(pair) {
+                lean += self.pull(pair);
             }
         });
         let norm = lean.norm();
-        if norm <= T::zero() {
-            return None;
-        }
-        let toward = lean / norm;
-        let mut distance = walls.radius;
+        (norm > T::zero()).then(|| lean / norm)
+    }
+
+    /// The surface in the direction `toward`. Its distance is looked for among the points that count, told how far they are along the direction
+    /// \[m\].
+    pub(crate) fn surface(
+        &self,
+        toward: Vector<T, D>,
+        mut counts: impl FnMut(T, &Pair<T, D>) -> bool,
+    ) -> Surface<T, D> {
+        let mut distance = self.walls.radius;
         // Most walls have points of one size: the root is not taken anew for every pair.
         let (mut volume, mut half) = (T::zero(), T::zero());
-        walls.for_each(i, |pair| {
+        self.for_each(|pair| {
             let along = toward.dot(&pair.r_ij);
-            if boundary.shear[pair.j] == shear && counts(along, pair) {
-                if boundary.volume[pair.j] != volume {
-                    volume = boundary.volume[pair.j];
-                    half = volume.powf(T::one() / T::of(D as f64)) * spacing * T::of(0.5);
+            if counts(along, pair) {
+                if self.boundary.volume[pair.j] != volume {
+                    volume = self.boundary.volume[pair.j];
+                    half = volume.powf(T::one() / T::of(D as f64)) * self.spacing * T::of(0.5);
                 }
                 distance = distance.min(along - half);
             }
         });
-        Some(Self { toward, distance })
+        Surface { toward, distance }
     }
 }

@@ -18,7 +18,7 @@
 //! against the direction `t_i` in which they slide. A first row half a spacing from the surface has the whole of it, and the integral of `s` is one
 //! spacing, so that a stretch of wall feels `tau` times its length, on average over where the rows lie. The pair with point `a` gets the part `V_a W_ia/sum_b V_b W_ib` of it, and the point the opposite.
 
-use super::surface::Surface;
+use super::surface::Seen;
 use crate::boundary::Shear;
 use crate::terms::Viscosity;
 use crate::{Fluid, FluidError};
@@ -89,7 +89,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     fn drag_on(&self, i: usize) -> Option<Vector<T, D>> {
         let (walls, boundary, spacing) = (self.boundary_view(), &self.boundary, self.config.spacing);
         let ahead = |along: T, pair: &Pair<T, D>| along >= T::of(AHEAD) * pair.distance();
-        let surface = Surface::seen_from(i, &walls, boundary, Shear::Law, spacing, ahead)?;
+        let seen = Seen { i, walls: &walls, boundary, shear: Shear::Law, spacing };
+        let surface = seen.surface(seen.toward(|_| true)?, ahead);
         let share = (T::of(1.5) - surface.distance / spacing).min(T::one());
         if share <= T::zero() {
             return None;

@@ -6,6 +6,9 @@ use crate::rates::State;
 use mps_kernel::operators::ConservativeGradient;
 use mps_kernel::{Pair, Real, Vector};
 
+/// The least density a point shows, over that of the particle.
+const THINNEST: f64 = 0.5;
+
 /// Everything the pair (fluid particle, boundary point) needs besides the two of them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct WallPair<T: Real, const D: usize> {
@@ -35,13 +38,15 @@ impl<T: Real, const D: usize> WallPair<T, D> {
     /// wall carries its weight.
     ///
     /// The equation of state is linear over the small difference; the error is of fourth order in
-    /// the Mach number.
+    /// the Mach number. Under a wall that is torn away the difference is not small, and a straight line goes on below no density at all:
+    /// the point shows half of the particle's density at least, whatever the pressure. Its force stays finite so, and grows with the
+    /// acceleration of the wall.
     #[inline(always)]
     pub(crate) fn state(&self, pi: T, ni: T, acceleration: &Vector<T, D>, r_ia: &Vector<T, D>) -> (T, T) {
         let rise = self.rho0 * (self.gravity - acceleration).dot(r_ia);
         let rise = if self.clip { rise.max(-pi).min(pi) } else { rise };
         let pa = pi + rise;
-        (pa, ni + (pa - pi) * self.compressibility)
+        (pa, (ni + (pa - pi) * self.compressibility).max(ni * T::of(THINNEST)))
     }
 
     /// The pair's share of the sum of eq. 24, so that the force on the fluid particle is

@@ -226,3 +226,24 @@ fn the_courant_number_can_be_changed_between_steps() {
     assert!(matches!(fluid.set_courant_number(3.0), Err(FluidError::Parameter { name: "cfl", .. })));
     assert_eq!(fluid.config().cfl, 0.5);
 }
+
+/// Whoever asks for a point of a wall, or for one that there is not, hears that nothing is known of it.
+#[test]
+fn forces_and_stiffnesses_of_points_that_receive_none_are_zero() {
+    let parallel = Parallel::serial();
+    let mut fluid = tank::<2>(14, config(PressureForm::Plain, Diffusion::Hydrostatic));
+    let (block, len) = (fluid.boundary().reactive(), fluid.boundary().len());
+    for step in 0..2 {
+        for a in (0..len + 3).chain([usize::MAX]) {
+            let (force, stiffness) = (fluid.force_on(a), fluid.interface_stiffness(a));
+            assert!(force.norm().is_finite() && stiffness.is_finite());
+            if !block.contains(&a) {
+                assert_eq!((force, stiffness), (Vector::zeros(), 0.0), "{a} in step {step}");
+            }
+        }
+        let seen =
+            block.clone().any(|a| fluid.interface_stiffness(a) > 0.0 && fluid.force_on(a).norm() > 0.0);
+        assert_eq!(seen, step > 0);
+        fluid.begin_step(&parallel).unwrap();
+    }
+}

@@ -3,7 +3,8 @@
 
 use crate::common::{Account, fill, step_on_account};
 use mps_fluid::{
-    ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait,
+    ArtificialViscosity, Boundary, EquationOfState, Fluid, FluidConfig, FluidError, FluidParticles, Limit,
+    Slip, Tait, Tension,
 };
 use mps_kernel::Vector;
 use mps_kernel::weights::WendlandGradient;
@@ -167,4 +168,74 @@ fn a_stirrer_turns_in_its_water() {
         })
         .sum();
     assert!(spin > 0.0, "the water turns with it");
+}
+
+/// A wall that is torn off or thrown at the water pulls or pushes the more, the more it is accelerated, and never without limit.
+#[test]
+fn the_force_of_a_wall_grows_with_its_acceleration() {
+    let pulled = |tension: Tension, acceleration: f64, density: f64| {
+        let mut config = FluidConfig::<f64, 2>::water(L0, 10.0);
+        config.tension = tension;
+        let mut water = FluidParticles::at_rest(fill([0.0; 2], [0.1; 2], L0, |_| true));
+        water.density.fill(density);
+        let mut boundary = Boundary::default();
+        boundary.add_wall(&fill([-0.03, 0.0], [0.0, 0.1], L0, |_| true), Slip::Free).unwrap();
+        boundary.acceleration.fill(Vector::from([acceleration, 0.0]));
+        let mut fluid = Fluid::new(config, WendlandGradient, |_: &_| (), Open, water, boundary).unwrap();
+        fluid.begin_step(&Parallel::serial()).unwrap();
+        let near = fluid.particles().position.iter().position(|r| r.x < L0 && (r.y - 0.055).abs() < 1e-9);
+        fluid.acceleration()[near.unwrap()].x
+    };
+    for (tension, density) in [(Tension::Keep, 1.0), (Tension::Keep, 1.01), (Tension::Clip, 1.6)] {
+        for sign in [-1.0, 1.0] {
+            let mut last = pulled(tension, 0.0, density);
+            for k in 0..=20 {
+                let wall = 10.0_f64.powf(0.25 * f64::from(k));
+                let now = pulled(tension, sign * wall, density);
+                let grows = sign * (now - last) >= -1e-9 * now.abs();
+                assert!(
+                    grows && now.abs() < 1e6,
+                    "{tension:?} {density}: {now} after {last} m/s2 at {wall} m/s2"
+                );
+                last = now;
+            }
+        }
+    }
+}
+
+/// A wall may not pass the water by within a step either: its speed counts as one of the fluid.
+#[test]
+fn a_fast_wall_makes_short_steps() {
+    let parallel = Parallel::serial();
+    let build = || {
+        let water = FluidParticles::at_rest(fill([0.0; 2], [0.1; 2], L0, |_| true));
+        let mut boundary = Boundary::default();
+        boundary.add_wall(&fill([-0.03, 0.0], [0.0, 0.1], L0, |_| true), Slip::Free).unwrap();
+        let config = FluidConfig::<f64, 2>::water(L0, 10.0);
+        Fluid::new(config, WendlandGradient, |_: &_| (), Open, water, boundary).unwrap()
+    };
+    let mut fluid = build();
+    fluid.boundary_mut().velocity[3].y = -100.0;
+    let dt = fluid.begin_step(&parallel).unwrap();
+    assert!((dt - 0.5 * L0 / 110.0).abs() < 1e-12 && fluid.limit() == Limit::Sound, "{dt} s");
+    assert_eq!(
+        (fluid.limits().shortest(), fluid.explain_step().unwrap().limits.sound),
+        ((Limit::Sound, dt), dt)
+    );
+    // It is the wall's: the water is as slow as it is.
+    assert_eq!(fluid.compressibility().mach, 0.0);
+    // A wall slower than the water changes nothing.
+    let slow = [0.0, 0.5].map(|speed| {
+        let mut fluid = build();
+        fluid.particles_mut().velocity[40].x = 1.0;
+        fluid.boundary_mut().velocity.fill(Vector::from([0.0, speed]));
+        fluid.begin_step(&parallel).unwrap()
+    });
+    assert_eq!(slow[0], slow[1]);
+    // One that has no speed is named.
+    let mut fluid = build();
+    fluid.step(&parallel).unwrap();
+    fluid.boundary_mut().velocity[3].y = f64::NAN;
+    let error = fluid.begin_step(&parallel).unwrap_err();
+    assert!(matches!(error, FluidError::BoundaryPoint { point: 3, quantity: "velocity", .. }), "{error}");
 }

@@ -36,7 +36,7 @@ type Case = (&'static str, fn(&mut Config, f64), &'static [f64]);
 
 #[test]
 fn bad_numbers_are_refused_by_name() {
-    let cases: [Case; 12] = [
+    let cases: [Case; 14] = [
         ("spacing", |c, x| c.spacing = x, &[0.0, -0.01]),
         ("radius_ratio", |c, x| c.radius_ratio = x, &[0.0, 1.0, 60.0, -3.0]),
         ("density", |c, x| c.density = x, &[0.0, -1000.0]),
@@ -45,6 +45,8 @@ fn bad_numbers_are_refused_by_name() {
         ("diffusion", |c, x| c.diffusion = Diffusion::Filter { delta: x }, &[-0.1, 3.0]),
         ("cfl", |c, x| c.cfl = x, &[0.0, -0.5, 10.0]),
         ("density_relaxation", |c, x| c.density_relaxation = x, &[-0.1, 0.01, 0.05]),
+        ("background_pressure", |c, x| c.background_pressure = x, &[-1.0, -1e-9]),
+        ("wall_viscosity", |c, x| c.wall_viscosity = x, &[-1e-6]),
         ("skin_ratio", |c, x| c.skin_ratio = x, &[-0.1, 10.0]),
         ("repulsion", |c, x| c.collisions = Some(Dpc { repulsion: x, ..Dpc::default() }), &[-0.1, 2.0]),
         ("restitution", |c, x| c.collisions = Some(Dpc { restitution: x, ..Dpc::default() }), &[-0.1, 2.0]),

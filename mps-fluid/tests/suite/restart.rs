@@ -5,7 +5,7 @@
 use crate::common::{Noise, closed_walls, lattice, tank, water};
 use crate::openings::channel;
 use mps_fluid::{
-    ArtificialViscosity, Boundary, Diffusion, Fluid, FluidConfig, FluidParticles, LaminarViscosity,
+    ArtificialViscosity, Boundary, Diffusion, Fluid, FluidConfig, FluidParticles, LaminarViscosity, Limit,
     PressureForm, Shifting, Slip, Tension, Viscosity,
 };
 use mps_kernel::weights::{Rational, WendlandGradient};
@@ -23,11 +23,20 @@ fn assert_goes_on<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: 
     build: impl Fn() -> Fluid<T, D, K, V, P>,
     steps: usize,
 ) {
+    assert_goes_on_by(build, steps, |fluid, parallel| assert!(fluid.step(parallel).is_ok()));
+}
+
+/// The same with steps in which somebody else has a hand.
+fn assert_goes_on_by<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>(
+    build: impl Fn() -> Fluid<T, D, K, V, P>,
+    steps: usize,
+    step: impl Fn(&mut Fluid<T, D, K, V, P>, &Parallel),
+) {
     let serial = Parallel::serial();
     let mut fluid = build();
     let (mut states, mut rebuilds) = (vec![save(&mut fluid)], vec![0]);
     for _ in 0..steps {
-        fluid.step(&serial).unwrap();
+        step(&mut fluid, &serial);
         states.push(save(&mut fluid));
         rebuilds.push(fluid.rebuilds());
     }
@@ -41,9 +50,9 @@ fn assert_goes_on<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: 
         let mut twin = build();
         states[moment].restore(|transfer| twin.transfer(&parallel, transfer)).unwrap();
         assert!(save(&mut twin) == states[moment], "what was restored at step {moment}");
-        for (step, state) in states.iter().enumerate().skip(moment + 1) {
-            twin.step(&parallel).unwrap();
-            assert!(save(&mut twin) == *state, "saved at step {moment}, differs at {step} of {steps}");
+        for (count, state) in states.iter().enumerate().skip(moment + 1) {
+            step(&mut twin, &parallel);
+            assert!(save(&mut twin) == *state, "saved at step {moment}, differs at {count} of {steps}");
         }
     }
 }
@@ -122,7 +131,15 @@ fn walls_that_move() {
         let viscosity = |r: &_| LaminarViscosity::new::<2>(0.01, r);
         stirred(Fluid::new(config, Rational, viscosity, Open, particles, boundary).unwrap(), 0.5)
     };
-    assert_goes_on(build, 40);
+    let moved = |fluid: &Fluid<f64, 2, _, _>| fluid.boundary().position[0];
+    let start = moved(&build());
+    assert_goes_on_by(build, 40, |fluid, parallel| {
+        let dt = fluid.begin_step(parallel).unwrap();
+        fluid.finish_step(parallel, dt);
+        let Boundary { position, velocity, .. } = fluid.boundary_mut();
+        position.iter_mut().zip(velocity).for_each(|(r, u)| *r += *u * dt);
+        assert!(moved(fluid) != start, "the walls move");
+    });
 }
 
 #[test]
@@ -186,4 +203,27 @@ fn a_step_that_has_begun_has_no_state() {
     assert!(halfway.to_string().contains("between two steps"), "{halfway}");
     fluid.finish_step(&serial, dt);
     save(&mut fluid);
+}
+
+#[test]
+fn the_courant_number_and_what_limited_the_last_step_are_restored() {
+    let serial = Parallel::serial();
+    let build = || {
+        let mut fluid = splash::<f64, 2>([20, 15], |config| config.cfl = 0.4);
+        // So fast that its acceleration limits the step.
+        fluid.particles_mut().density[40] = 1.5;
+        fluid
+    };
+    let mut fluid = build();
+    fluid.set_courant_number(0.1).unwrap();
+    fluid.step(&serial).unwrap();
+    assert_eq!(fluid.limit(), Limit::Acceleration);
+    let state = save(&mut fluid);
+    let mut twin = build();
+    state.restore(|transfer| twin.transfer(&serial, transfer)).unwrap();
+    assert_eq!((twin.limit(), twin.config().cfl), (Limit::Acceleration, 0.1));
+    for _ in 0..3 {
+        assert_eq!(fluid.step(&serial).unwrap(), twin.step(&serial).unwrap());
+    }
+    assert!(fluid.particles() == twin.particles());
 }

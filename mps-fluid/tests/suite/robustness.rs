@@ -3,7 +3,7 @@
 #![allow(unsafe_code, reason = "counting memory takes a global allocator")]
 
 use crate::common::{tank, water};
-use mps_fluid::{ArtificialViscosity, Fluid, FluidError};
+use mps_fluid::{ArtificialViscosity, Fluid, FluidError, Tension};
 use mps_kernel::Vector;
 use mps_kernel::weights::Rational;
 use mps_neighbors::Parallel;
@@ -98,5 +98,22 @@ fn a_particle_beyond_all_speeds_is_named_and_the_run_given_up() {
     match error {
         FluidError::TimeStep { id, speed, .. } => assert!(id == 117 && speed > 1e4, "{error}"),
         _ => panic!("{error}"),
+    }
+}
+
+/// Nobody is near to be spoilt by it, and its pressure is none.
+#[test]
+fn a_lone_particle_whose_density_is_no_number_is_named() {
+    let parallel = Parallel::serial();
+    for tension in [Tension::Clip, Tension::Keep] {
+        let mut config = water::<f64, 2>(0.01, 0.15);
+        config.tension = tension;
+        let mut fluid = tank([15, 15], config, |_| ());
+        fluid.particles_mut().position[7] = Vector::from([5.0, 5.0]);
+        fluid.step(&parallel).unwrap();
+        let i = fluid.particles().id.iter().position(|&id| id == 7).unwrap();
+        fluid.particles_mut().density[i] = f64::NAN;
+        let error = fluid.begin_step(&parallel).unwrap_err();
+        assert!(matches!(error, FluidError::NotFinite { id: 7, quantity: "density", .. }), "{error}");
     }
 }

@@ -151,3 +151,36 @@ fn the_shift_does_not_depend_on_the_order_of_the_particles() {
     }
     assert!(straight.iter().any(|d| d.norm() > 1e-4 * L0));
 }
+
+/// Rows that end at the radius would miss whom a shift brings in: they reach as far as that, even without a skin.
+#[test]
+fn without_a_skin_nobody_is_missed() {
+    let swept = |skin_ratio: f64| {
+        let mut noise = Noise::new(11);
+        let mut points = lattice::<f64, 2>([0.0; 2], [N, N], L0);
+        points.iter_mut().for_each(|r| *r += noise.vector::<f64, 2>(0.2 * L0));
+        let mut particles = FluidParticles::at_rest(points);
+        particles.velocity.fill(Vector::from([2.0, 0.0]));
+        particles.density.iter_mut().for_each(|n| *n += 0.005 + 0.005 * noise.next());
+        let mut config = FluidConfig::water(L0, 10.0);
+        (config.skin_ratio, config.collisions) = (skin_ratio, None);
+        config.shifting = Some(Shifting { strength: 10.0, iterations: 3 });
+        let nothing = Boundary::default();
+        let mut fluid = Fluid::new(config, Rational, |_| (), periodic(), particles, nothing).unwrap();
+        for _ in 0..3 {
+            fluid.step(&Parallel::serial()).unwrap();
+        }
+        fluid.begin_step(&Parallel::serial()).unwrap();
+        let mut found = vec![Vector::zeros(); N * N];
+        for (a, &id) in fluid.acceleration().iter().zip(&fluid.particles().id) {
+            found[id as usize] = *a;
+        }
+        found
+    };
+    let wide = swept(0.2);
+    let largest = wide.iter().fold(0.0_f64, |most, a| most.max(a.norm()));
+    for skin_ratio in [0.0, 0.005, 0.015] {
+        let off = swept(skin_ratio).iter().zip(&wide).fold(0.0_f64, |most, (a, b)| most.max((a - b).norm()));
+        assert!(off < 1e-8 * largest, "skin {skin_ratio}: {off} of {largest} m/s2");
+    }
+}

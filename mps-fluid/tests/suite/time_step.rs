@@ -3,12 +3,15 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 
 use crate::common::{Noise, lattice};
-use mps_fluid::{Boundary, Diffusion, Fluid, FluidConfig, FluidParticles, Limit, Tension};
+use mps_fluid::{
+    ArtificialViscosity, Boundary, CompactViscosity, Diffusion, Fluid, FluidConfig, FluidParticles,
+    LaminarViscosity, Limit, Tension, Viscosity,
+};
 use mps_kernel::weights::{Rational, WendlandGradient};
-use mps_kernel::{Kernel, Vector};
+use mps_kernel::{Kernel, ReferenceDensity, Vector};
 use mps_neighbors::{Parallel, PeriodicBox};
 
-type Periodic<const D: usize, K> = Fluid<f64, D, K, (), PeriodicBox<f64, D>>;
+type Periodic<const D: usize, K, V = ()> = Fluid<f64, D, K, V, PeriodicBox<f64, D>>;
 
 const FILTER: Diffusion<f64> = Diffusion::Filter { delta: 0.5 };
 
@@ -19,6 +22,16 @@ fn noise<const D: usize, K: Kernel<f64>>(
     diffusion: Diffusion<f64>,
     cfl: f64,
 ) -> Periodic<D, K> {
+    viscous_noise(kernel, radius_ratio, diffusion, cfl, |_| ())
+}
+
+fn viscous_noise<const D: usize, K: Kernel<f64>, V: Viscosity<f64, D>>(
+    kernel: K,
+    radius_ratio: f64,
+    diffusion: Diffusion<f64>,
+    cfl: f64,
+    viscosity: impl FnOnce(&ReferenceDensity<f64>) -> V,
+) -> Periodic<D, K, V> {
     let side = if D == 2 { 16 } else { 8 };
     let (l0, sound) = (0.01, 10.0);
     let config = FluidConfig {
@@ -36,7 +49,7 @@ fn noise<const D: usize, K: Kernel<f64>>(
         *n += 1e-9 * noise.next();
     }
     let domain = PeriodicBox::new(Vector::zeros(), [Some(l0 * side as f64); D]).unwrap();
-    Fluid::new(config, kernel, |_: &_| (), domain, particles, Boundary::default()).unwrap()
+    Fluid::new(config, kernel, viscosity, domain, particles, Boundary::default()).unwrap()
 }
 
 /// Largest difference of a density from 1, over that at the start, within 300 steps that are so many times as long as the fluid would have
@@ -96,4 +109,51 @@ fn the_usual_courant_number_is_left_alone() {
     assert!((one - 1.0).abs() < 1e-6 && limit == Limit::Sound, "{one} by {limit:?}");
     let (capped, limit, _) = courant(1.1);
     assert!((capped - 0.98 * border).abs() < 1e-9 && limit == Limit::Diffusion, "{capped} by {limit:?}");
+}
+
+/// Viscosity takes its part of what a step bears: of waves that have a slope, as those of a small radius, whose border it moves.
+#[test]
+fn viscosity_is_in_the_border() {
+    fn assert_borne<const D: usize, V: Viscosity<f64, D>>(
+        radius: f64,
+        diffusion: Diffusion<f64>,
+        viscosity: impl Fn(&ReferenceDensity<f64>) -> V,
+    ) {
+        for cfl in [1.0, 2.0] {
+            let mut fluid = viscous_noise::<D, _, _>(Rational, radius, diffusion, cfl, &viscosity);
+            let border = fluid.stable_courant_number();
+            let mut largest = 0.0_f64;
+            for _ in 0..120 {
+                fluid.step(&Parallel::serial()).unwrap();
+                let off = fluid.particles().density.iter().map(|n| (n - 1.0).abs() / 1e-9);
+                largest = off.fold(largest, f64::max);
+                assert!(
+                    largest < 10.0,
+                    "{D}D {radius} {diffusion:?}, {cfl} of {border}: grows by {largest:e}"
+                );
+            }
+        }
+    }
+    for diffusion in [FILTER, Diffusion::None, Diffusion::Hydrostatic] {
+        for radius in [2.1, 3.0] {
+            for alpha in [0.1, 1.0] {
+                assert_borne::<2, _>(radius, diffusion, |r| ArtificialViscosity::new::<2>(alpha, 10.0, r));
+            }
+            // Of the size of c l0, where the viscous limit is near.
+            for nu in [1e-3, 1e-2, 5e-2] {
+                assert_borne::<2, _>(radius, diffusion, |r| LaminarViscosity::new::<2>(nu, r));
+                assert_borne::<2, _>(radius, diffusion, |r| CompactViscosity::new::<2>(nu, r));
+            }
+        }
+        assert_borne::<3, _>(2.1, diffusion, |r| ArtificialViscosity::new::<3>(0.1, 10.0, r));
+    }
+}
+
+/// What the alternating wave bears does not depend on a little viscosity, nor do the steps that are usual.
+#[test]
+fn a_little_viscosity_leaves_the_border_where_it_was() {
+    let inviscid = noise::<2, _>(Rational, 3.0, FILTER, 1.0).stable_courant_number();
+    let viscosity = |r: &_| ArtificialViscosity::new::<2>(0.1, 10.0, r);
+    let viscous = viscous_noise::<2, _, _>(Rational, 3.0, FILTER, 1.0, viscosity).stable_courant_number();
+    assert_eq!(viscous, inviscid);
 }

@@ -2,7 +2,10 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail the test")]
 #![allow(dead_code, unreachable_pub, reason = "every test uses its own part")]
 
-use mps_fluid::{Boundary, EquationOfState, Fluid, FluidConfig, FluidParticles, Slip, Tait, Viscosity};
+use mps_fluid::{
+    ArtificialViscosity, Boundary, Diffusion, EquationOfState, Fluid, FluidConfig, FluidParticles,
+    LaminarViscosity, PressureForm, Shifting, Slip, Tait, Tension, Viscosity,
+};
 use mps_kernel::weights::Rational;
 use mps_kernel::{Kernel, Real, ReferenceDensity, Vector};
 use mps_neighbors::{Open, Parallel};
@@ -195,4 +198,54 @@ pub fn step_on_account<K: Kernel<f64>, V: Viscosity<f64, 2>>(
         lost: (after.0 - before.0 - (pull - force) * dt).norm(),
         lost_spin: (after.1 - before.1 - (turn - torque) * dt).abs(),
     }
+}
+
+/// The viscosities of [`everything`].
+pub type Both<T> = (LaminarViscosity<T>, ArtificialViscosity<T>);
+
+/// A shaken closed box with all that a fluid can have and the dam break has not: the corrected form, hydrostatic diffusion, relaxation, shifting,
+/// collisions, tension, books; walls without slip below, with a law of the wall at the sides, and a block of reactive points that feels both viscosities.
+pub fn everything<T: Real, const D: usize>(counts: [usize; D]) -> Fluid<T, D, Rational, Both<T>> {
+    let l0 = 0.01;
+    let mut config = water::<T, D>(l0, counts[D - 1] as f64 * l0);
+    config.pressure_form = PressureForm::Corrected;
+    config.diffusion = Diffusion::Hydrostatic;
+    config.tension = Tension::Keep;
+    config.background_pressure = T::of(2000.0);
+    config.density_relaxation = T::of(0.01);
+    config.shifting = Some(Shifting { strength: T::of(2.0), iterations: 2 });
+    let (block, points): (Vec<_>, Vec<_>) = lattice::<T, D>([0.0; D], counts, l0)
+        .into_iter()
+        .partition(|r| (0..D).all(|axis| (r[axis].to_double() / l0 - 0.5 * counts[axis] as f64).abs() < 2.0));
+    let mut noise = Noise::new(3);
+    let mut particles = FluidParticles::at_rest(points);
+    particles.velocity.iter_mut().for_each(|u| *u = noise.vector(1.0));
+    let (below, beside): (Vec<_>, Vec<_>) =
+        tank_walls::<T, D>(counts, counts[D - 1] + 3, l0).into_iter().partition(|r| r[D - 1] < T::zero());
+    let mut boundary = Boundary::default();
+    boundary.add_wall(&below, Slip::None).unwrap();
+    boundary.add_wall(&beside, Slip::Law).unwrap();
+    boundary.add_structure(&block, core::iter::repeat(T::one()), Slip::None);
+    let c = config.sound_speed;
+    let viscosity = |r: &_| {
+        (LaminarViscosity::new::<D>(T::of(1e-4), r), ArtificialViscosity::new::<D>(T::of(0.05), c, r))
+    };
+    let mut fluid = Fluid::new(config, Rational, viscosity, Open, particles, boundary).unwrap();
+    fluid.keep_books();
+    fluid
+}
+
+/// A step of [`everything`] in which the block vibrates in two sub-steps.
+pub fn vibrating_step<T: Real, const D: usize>(
+    fluid: &mut Fluid<T, D, Rational, Both<T>>,
+    parallel: &Parallel,
+) {
+    let dt = fluid.begin_step(parallel).unwrap();
+    let block = fluid.boundary().reactive();
+    for speed in [0.1, -0.1] {
+        fluid.boundary_mut().velocity[block.clone()].fill(Vector::from_element(T::of(speed)));
+        fluid.follow_shear();
+        fluid.compress_interface(parallel, dt * T::of(0.5));
+    }
+    fluid.finish_step(parallel, dt);
 }
