@@ -57,6 +57,67 @@ pub enum CouplingError {
         /// That number.
         got: usize,
     },
+    /// A structure has lost points, or has got more.
+    #[error(
+        "structure {index} shows {now} {what} in the step from t = {time:e} s, and has {before} points: their number and order must never change; \
+         let `Structure::advance` leave the length of its fields alone"
+    )]
+    Points {
+        /// Number of the structure in the scene.
+        index: usize,
+        /// Time at the start of the step \[s\].
+        time: f64,
+        /// What it shows another number of.
+        what: &'static str,
+        /// Its points, when it was added.
+        before: usize,
+        /// What it shows now.
+        now: usize,
+    },
+    /// A structure shows a position or a velocity that is no finite number.
+    #[error(
+        "point {point} of structure {index} has the {what} {value:?} {unit} in the step from t = {time:e} s: every component must be finite; \
+         look for a division by zero in its `advance`, or a `max_step` beyond its own stability"
+    )]
+    NoNumber {
+        /// Number of the structure in the scene.
+        index: usize,
+        /// Number of the point in the structure.
+        point: usize,
+        /// What is no number.
+        what: &'static str,
+        /// Its unit.
+        unit: &'static str,
+        /// Its components.
+        value: Vec<f64>,
+        /// Time at the start of the step \[s\].
+        time: f64,
+    },
+    /// A structure says that its forces have nothing to move.
+    #[error(
+        "{} of structure {index} has a mass of {mass:e} kg (`Structure::inertia`): it must be greater than zero, infinite for what nothing moves; \
+         or say `Inertia::Unknown`",
+        whose(*.point)
+    )]
+    Mass {
+        /// Number of the structure in the scene.
+        index: usize,
+        /// Number of the point in the structure; `None` for the mass of a rigid body.
+        point: Option<usize>,
+        /// The mass \[kg\].
+        mass: f64,
+    },
+    /// A structure can take no sub-step.
+    #[error(
+        "structure {index} says that it can take sub-steps of at most {limit:e} s (`Structure::max_step`): it must be longer than zero, infinite if any \
+         will do"
+    )]
+    Limit {
+        /// Number of the structure in the scene.
+        index: usize,
+        /// The limit \[s\].
+        limit: f64,
+    },
     /// A point of a structure stands for no volume.
     #[error("a point of structure {index} has a volume of {volume:e}: it must be positive and finite")]
     Volume {
@@ -96,4 +157,8 @@ pub enum CouplingError {
         /// Steps done.
         steps: u64,
     },
+}
+
+fn whose(point: Option<usize>) -> String {
+    point.map_or_else(|| "the whole".to_owned(), |point| format!("point {point}"))
 }

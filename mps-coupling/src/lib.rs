@@ -5,6 +5,7 @@ mod budget;
 mod elastic;
 mod error;
 mod fixed;
+mod guard;
 mod register;
 mod saved;
 mod scene;

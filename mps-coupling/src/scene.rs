@@ -1,7 +1,8 @@
 //! The nested time loop: a fluid and the structures it pushes.
 
 use crate::budget::SubStep;
-use crate::{Budget, CouplingError, Handed, Inertia, Interface, Structure, StructureEnergy};
+use crate::guard::{check_limit, check_masses, check_new, check_points};
+use crate::{Budget, CouplingError, Handed, Interface, Structure, StructureEnergy};
 use core::ops::Range;
 use mps_fluid::{Fluid, FluidEnergy, Push, Slip, Viscosity};
 use mps_kernel::weights::Rational;
@@ -104,8 +105,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// off without ([`Slip::None`] follows the sub-steps).
     ///
     /// # Errors
-    /// If the fields of the structure differ in length, a position is not finite or a volume not positive, the spacing does not belong to
-    /// the positions, or the scene has already begun.
+    /// If the fields of the structure differ in length, a position or velocity is not finite, a volume or mass not positive, the spacing does
+    /// not belong to the positions, or the scene has already begun.
     pub fn add_structure(
         &mut self,
         parallel: &Parallel,
@@ -116,7 +117,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if self.fluid.steps() > 0 {
             return Err(CouplingError::TooLate { steps: self.fluid.steps() });
         }
-        check_fields(index, &*structure)?;
+        check_new(index, &*structure)?;
         let (positions, volumes) = (structure.positions(), structure.volumes());
         let radius = self.fluid.reference().radius;
         let interface = Interface::register(parallel, positions, &structure.spacings(), radius)?;
@@ -189,10 +190,15 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if self.bodies.is_empty() {
             return Ok(());
         }
+        let time = self.fluid.time().to_double();
+        // Somebody may have had hands on them since the last step.
+        for (index, body) in self.bodies.iter().enumerate() {
+            check_points(index, body, time)?;
+            check_masses(index, &*body.structure)?;
+        }
         self.substeps = self.substeps_for(parallel, dt)?;
         let sub_dt = dt / T::of(self.substeps as f64);
         let gravity = self.fluid.config().gravity;
-        let time = self.fluid.time().to_double();
         for body in &mut self.bodies {
             body.start.copy_from_slice(body.structure.positions());
             body.swept.fill(Vector::zeros());
@@ -208,6 +214,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                 body.structure
                     .advance(parallel, &body.force, &gravity, sub_dt, 1)
                     .map_err(|source| CouplingError::Structure { index, time, source })?;
+                check_points(index, body, time)?;
                 let step = SubStep {
                     force: &body.force,
                     velocity: body.structure.mean_velocities(),
@@ -238,6 +245,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let mut most = self.min_substeps.max(1) as f64;
         for (index, body) in self.bodies.iter().enumerate() {
             let (own, shared) = (body.structure.max_step(parallel), self.longest_substep(body));
+            check_limit(index, own)?;
             // Not `min`, which would hide a limit that is no number.
             let limit = if shared < own || shared.partial_cmp(&shared).is_none() { shared } else { own };
             let substeps = (dt / limit).to_double().ceil();
@@ -261,7 +269,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
     /// Refreshes normals and wetted marks of all structures, for output and probes.
     pub fn update_interfaces(&mut self, parallel: &Parallel) {
-        for body in &mut self.bodies {
+        // After a step that failed a structure may show anything.
+        for body in self.bodies.iter_mut().filter(|body| body.structure.positions().len() == body.force.len())
+        {
             body.interface.update_normals(parallel, body.structure.positions());
             let (fluid, first) = (&self.fluid, body.range.start);
             body.interface.update_wetted(|k| fluid.contacts(first + k));
@@ -332,25 +342,4 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         }
         (self.fluid.energy(parallel), sum)
     }
-}
-
-/// Refuses a structure whose fields do not fit together.
-fn check_fields<T: Real, const D: usize>(
-    index: usize,
-    structure: &dyn Structure<T, D>,
-) -> Result<(), CouplingError> {
-    let positions = structure.positions().len();
-    let mut lengths = vec![("volumes", structure.volumes().len())];
-    lengths.push(("mean velocities", structure.mean_velocities().len()));
-    if let Inertia::Points(masses) = structure.inertia() {
-        lengths.push(("masses", masses.len()));
-    }
-    if let Some((what, got)) = lengths.into_iter().find(|(_, got)| *got != positions) {
-        return Err(CouplingError::Lengths { index, positions, what, got });
-    }
-    let unusable = |volume: &&T| !(**volume > T::zero() && volume.is_finite());
-    if let Some(volume) = structure.volumes().iter().find(unusable) {
-        return Err(CouplingError::Volume { index, volume: volume.to_double() });
-    }
-    Ok(())
 }
