@@ -137,6 +137,24 @@ pub enum CouplingError {
         /// Largest number density over that of the lattice \[-\].
         density: f64,
     },
+    /// A structure has come so near to a wall or another structure that the next thing would be to pass through.
+    #[error(
+        "structure {index} has come within {distance:.3e} m of {} near {place:?} m at t = {time:e} s: contact is not modelled in a scene with a fluid, and they \
+         would pass through each other; keep them apart by a support, a spring or an earlier end, or set `Scene::refuse_contacts` to false",
+        whom(*.other)
+    )]
+    Contact {
+        /// Number of the structure in the scene.
+        index: usize,
+        /// Number of the other structure; `None` for a wall.
+        other: Option<usize>,
+        /// Place of the structure's point \[m\].
+        place: Vec<f64>,
+        /// Distance of the two points \[m\].
+        distance: f64,
+        /// Time \[s\].
+        time: f64,
+    },
     /// A step without length was asked for.
     #[error("a step of at most {longest:e} s was asked for: it must be longer than zero")]
     Step {
@@ -161,4 +179,8 @@ pub enum CouplingError {
 
 fn whose(point: Option<usize>) -> String {
     point.map_or_else(|| "the whole".to_owned(), |point| format!("point {point}"))
+}
+
+fn whom(other: Option<usize>) -> String {
+    other.map_or_else(|| "a wall".to_owned(), |other| format!("structure {other}"))
 }

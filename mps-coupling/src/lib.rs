@@ -2,6 +2,7 @@
 //! sections 2.2.4 to 2.2.8).
 
 mod budget;
+mod contact;
 mod elastic;
 mod error;
 mod fixed;

@@ -1,6 +1,7 @@
 //! The nested time loop: a fluid and the structures it pushes.
 
 use crate::budget::SubStep;
+use crate::contact::{Contacts, Touch};
 use crate::guard::{check_limit, check_masses, check_new, check_points};
 use crate::{Budget, CouplingError, Handed, Interface, Structure, StructureEnergy};
 use core::ops::Range;
@@ -62,6 +63,9 @@ impl<T: Real, const D: usize> Body<T, D> {
 /// show: the pressure answers their motion sub-step by sub-step, and an acceleration that lags by a
 /// step is an added mass with a delay, which was measured to drive the gate unstable. Impulse lost by one
 /// side is gained by the other to round-off, and compression gained by the fluid is work done by the structure.
+///
+/// Contact is not modelled: between structures, and between a structure and a wall, nothing acts but the fluid. Where none is left between them
+/// the run ends with an error ([`refuse_contacts`](Self::refuse_contacts)).
 pub struct Scene<
     T: Real,
     const D: usize,
@@ -75,6 +79,12 @@ pub struct Scene<
     pub(crate) substeps: usize,
     /// A step has failed after somebody had moved.
     pub(crate) broken: bool,
+    pub(crate) contacts: Contacts<T, D>,
+    /// Whether a step fails when a structure has come nearer to a wall or to another structure than three quarters of their spacing (the mean of
+    /// both), after which they would pass through each other: [`CouplingError::Contact`]. Looked for on the occasion of new neighbour rows, without the
+    /// images of periodic domains. What was near when a structure was added may stay near. Default true; false for whoever keeps them apart by forces of
+    /// his own, or does not mind.
+    pub refuse_contacts: bool,
     /// The two sides of the interface are compared every so many steps; 0 never. Default 100.
     pub audit_interval: u64,
     /// Sub-steps of the structures in one fluid step at least. Default 1. More are taken where a structure's own limit or the fluid at its
@@ -93,6 +103,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             budget: Budget::default(),
             substeps: 0,
             broken: false,
+            contacts: Contacts::default(),
+            refuse_contacts: true,
             min_substeps: 1,
             audit_interval: 100,
             max_substeps: 2000,
@@ -121,14 +133,13 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let (positions, volumes) = (structure.positions(), structure.volumes());
         let radius = self.fluid.reference().radius;
         let interface = Interface::register(parallel, positions, &structure.spacings(), radius)?;
+        let l0 = self.fluid.config().spacing;
         let volume = self.fluid.config().particle_volume();
         let shown = |i: &u32| *i as usize;
         let points: Vec<_> = interface.visible.iter().map(|i| positions[shown(i)]).collect();
-        let range = self.fluid.boundary_mut().add_structure(
-            &points,
-            interface.visible.iter().map(|i| volumes[shown(i)] / volume),
-            slip,
-        );
+        let relative = interface.visible.iter().map(|i| volumes[shown(i)] / volume);
+        self.contacts.add(parallel, index, self.fluid.boundary(), &points, relative.clone(), l0)?;
+        let range = self.fluid.boundary_mut().add_structure(&points, relative, slip);
         let force = vec![Vector::zeros(); positions.len()];
         let start = positions.to_vec();
         let swept = vec![Vector::zeros(); interface.visible.len()];
@@ -144,9 +155,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// step of 1e-16 s those are nothing but rounding.
     ///
     /// # Errors
-    /// If `longest` is not greater than zero: nothing has changed then. If the fluid or a structure cannot go on: fluid and structures stand
-    /// at different times then, to be looked at, and every further step is refused until a saved state is restored
-    /// ([`transfer`](Self::transfer)).
+    /// If `longest` is not greater than zero: nothing has changed then. If the fluid or a structure cannot go on, or a structure is about to pass
+    /// through a wall or another one ([`refuse_contacts`](Self::refuse_contacts)): fluid and structures stand at different times then, to be
+    /// looked at, and every further step is refused until a saved state is restored ([`transfer`](Self::transfer)).
     pub fn step(&mut self, parallel: &Parallel, longest: T) -> Result<T, CouplingError> {
         // Asked this way NaN is refused as well.
         let is_a_step = longest > T::zero();
@@ -163,7 +174,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     }
 
     fn whole_step(&mut self, parallel: &Parallel, longest: T) -> Result<T, CouplingError> {
+        let rebuilds = self.fluid.rebuilds();
         let dt = self.fluid.begin_step(parallel)?.min(longest);
+        if self.refuse_contacts && self.fluid.rebuilds() != rebuilds {
+            self.look_for_contacts(parallel)?;
+        }
         if self.audit_interval > 0 && self.fluid.steps().is_multiple_of(self.audit_interval) {
             self.audit(parallel);
         }
@@ -182,6 +197,14 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             }
         }
         Ok(dt)
+    }
+
+    fn look_for_contacts(&mut self, parallel: &Parallel) -> Result<(), CouplingError> {
+        let Some(touch) = self.contacts.search(parallel, self.fluid.boundary())? else { return Ok(()) };
+        let Touch { index, other, place, distance } = touch;
+        let place = place.iter().map(|x| x.to_double()).collect();
+        let (distance, time) = (distance.to_double(), self.fluid.time().to_double());
+        Err(CouplingError::Contact { index, other, place, distance, time })
     }
 
     /// The structures' part of a step: `m = ceil(dt / limit)` sub-steps (eq. 48), the same number for
