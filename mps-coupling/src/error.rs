@@ -155,6 +155,21 @@ pub enum CouplingError {
         /// Time \[s\].
         time: f64,
     },
+    /// A structure has been drawn into the fluid.
+    #[error(
+        "the fluid has a particle inside structure {index}, {distance:.3e} m from one of its points, at {place:?} m: cut the body out of the fluid, so that its \
+         particles ({spacing:e} m apart) begin half a spacing before the body's surface"
+    )]
+    InWater {
+        /// Number the structure would have in the scene.
+        index: usize,
+        /// Place of the particle \[m\].
+        place: Vec<f64>,
+        /// Its distance from the nearest point of the structure \[m\].
+        distance: f64,
+        /// Spacing of the fluid \[m\].
+        spacing: f64,
+    },
     /// A step without length was asked for.
     #[error("a step of at most {longest:e} s was asked for: it must be longer than zero")]
     Step {

@@ -7,6 +7,7 @@ mod elastic;
 mod error;
 mod fixed;
 mod guard;
+mod overlap;
 mod register;
 mod saved;
 mod scene;

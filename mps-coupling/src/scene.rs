@@ -3,6 +3,7 @@
 use crate::budget::SubStep;
 use crate::contact::{Contacts, Touch};
 use crate::guard::{check_limit, check_masses, check_new, check_points};
+use crate::overlap::check_water;
 use crate::{Budget, CouplingError, Handed, Interface, Structure, StructureEnergy};
 use core::ops::Range;
 use mps_fluid::{Fluid, FluidEnergy, Push, Slip, Viscosity};
@@ -118,7 +119,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     ///
     /// # Errors
     /// If the fields of the structure differ in length, a position or velocity is not finite, a volume or mass not positive, the spacing does
-    /// not belong to the positions, or the scene has already begun.
+    /// not belong to the positions, particles of the fluid are inside the structure, or the scene has already begun.
     pub fn add_structure(
         &mut self,
         parallel: &Parallel,
@@ -134,6 +135,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let radius = self.fluid.reference().radius;
         let interface = Interface::register(parallel, positions, &structure.spacings(), radius)?;
         let l0 = self.fluid.config().spacing;
+        check_water(parallel, index, &*structure, &self.fluid.particles().position, l0)?;
         let volume = self.fluid.config().particle_volume();
         let shown = |i: &u32| *i as usize;
         let points: Vec<_> = interface.visible.iter().map(|i| positions[shown(i)]).collect();
