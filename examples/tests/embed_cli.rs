@@ -30,8 +30,7 @@ fn an_inclined_raft_rights_itself() {
     for (name, lean) in [("embed-left", 0.1), ("embed-right", -0.1)] {
         let out = fresh("embed-lean", name);
         let angle = lean.to_string();
-        let arguments =
-            ["--spacing", "0.02", "--end-time", "4", "--lean", &angle, "--quiet", "--no-fields"];
+        let arguments = ["--spacing", "0.02", "--end-time", "4", "--lean", &angle, "--quiet", "--no-fields"];
         let output = execute(EMBED, &out, &arguments);
         assert!(output.status.success(), "{}", words(&output.stderr));
         let table = CsvTable::read(out.join("probes.csv")).unwrap();
@@ -68,9 +67,13 @@ fn the_water_keeps_the_time_of_its_host_whatever_the_frames() {
 
 #[test]
 fn what_cannot_be_run_is_refused_with_the_flag_and_a_remedy() {
-    for (flag, value) in
-        [("--spacing", "0.015"), ("--density", "1200"), ("--lean", "1"), ("--frame", "nan"), ("--end-time", "0")]
-    {
+    for (flag, value) in [
+        ("--spacing", "0.015"),
+        ("--density", "1200"),
+        ("--lean", "1"),
+        ("--frame", "nan"),
+        ("--end-time", "0"),
+    ] {
         let out = fresh("embed", "refused");
         let output = execute(EMBED, &out, &[flag, value]);
         let message = words(&output.stderr);

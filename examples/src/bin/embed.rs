@@ -71,7 +71,8 @@ impl Options {
         Refused::unless(whole, "--spacing", self.spacing, even)?;
         let floats = "the raft has to float: give 200 to 900 kg/m3";
         Refused::unless((200.0..=900.0).contains(&self.density), "--density", self.density, floats)?;
-        let upright = "give the angle in rad, -0.2 to 0.2: the raft has to reach out of the water with its edge";
+        let upright =
+            "give the angle in rad, -0.2 to 0.2: the raft has to reach out of the water with its edge";
         Refused::unless(self.lean.abs() <= 0.2, "--lean", self.lean, upright)?;
         let short = "give the length of a frame in seconds, at most 1, e.g. 0.01";
         Refused::unless((1e-5..=1.0).contains(&self.frame), "--frame", self.frame, short)?;
@@ -105,7 +106,8 @@ struct Raft<T: Real> {
 impl<T: Real> Raft<T> {
     /// A rectangle of points about its `centre`, turned by `angle`.
     fn new(centre: [f64; 2], angle: f64, density: f64, l0: f64) -> Self {
-        let drawn = basin::lattice(RAFT.map(|edge| -0.5 * edge), RAFT.map(|edge| (edge / l0).round() as usize), l0);
+        let drawn =
+            basin::lattice(RAFT.map(|edge| -0.5 * edge), RAFT.map(|edge| (edge / l0).round() as usize), l0);
         let (centre, angle) = (Vector::from(centre.map(T::of)), T::of(angle));
         let positions: Vec<_> = drawn.iter().map(|r| centre + turned(r, angle)).collect();
         let mass = density * RAFT[0] * RAFT[1];
