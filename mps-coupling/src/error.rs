@@ -57,6 +57,67 @@ pub enum CouplingError {
         /// That number.
         got: usize,
     },
+    /// A structure has lost points, or has got more.
+    #[error(
+        "structure {index} shows {now} {what} in the step from t = {time:e} s, and has {before} points: their number and order must never change; \
+         let `Structure::advance` leave the length of its fields alone"
+    )]
+    Points {
+        /// Number of the structure in the scene.
+        index: usize,
+        /// Time at the start of the step \[s\].
+        time: f64,
+        /// What it shows another number of.
+        what: &'static str,
+        /// Its points, when it was added.
+        before: usize,
+        /// What it shows now.
+        now: usize,
+    },
+    /// A structure shows a position or a velocity that is no finite number.
+    #[error(
+        "point {point} of structure {index} has the {what} {value:?} {unit} in the step from t = {time:e} s: every component must be finite; \
+         look for a division by zero in its `advance`, or a `max_step` beyond its own stability"
+    )]
+    NoNumber {
+        /// Number of the structure in the scene.
+        index: usize,
+        /// Number of the point in the structure.
+        point: usize,
+        /// What is no number.
+        what: &'static str,
+        /// Its unit.
+        unit: &'static str,
+        /// Its components.
+        value: Vec<f64>,
+        /// Time at the start of the step \[s\].
+        time: f64,
+    },
+    /// A structure says that its forces have nothing to move.
+    #[error(
+        "{} of structure {index} has a mass of {mass:e} kg (`Structure::inertia`): it must be greater than zero, infinite for what nothing moves; \
+         or say `Inertia::Unknown`",
+        whose(*.point)
+    )]
+    Mass {
+        /// Number of the structure in the scene.
+        index: usize,
+        /// Number of the point in the structure; `None` for the mass of a rigid body.
+        point: Option<usize>,
+        /// The mass \[kg\].
+        mass: f64,
+    },
+    /// A structure can take no sub-step.
+    #[error(
+        "structure {index} says that it can take sub-steps of at most {limit:e} s (`Structure::max_step`): it must be longer than zero, infinite if any \
+         will do"
+    )]
+    Limit {
+        /// Number of the structure in the scene.
+        index: usize,
+        /// The limit \[s\].
+        limit: f64,
+    },
     /// A point of a structure stands for no volume.
     #[error("a point of structure {index} has a volume of {volume:e}: it must be positive and finite")]
     Volume {
@@ -75,6 +136,39 @@ pub enum CouplingError {
         spacing: Vec<f64>,
         /// Largest number density over that of the lattice \[-\].
         density: f64,
+    },
+    /// A structure has come so near to a wall or another structure that the next thing would be to pass through.
+    #[error(
+        "structure {index} has come within {distance:.3e} m of {} near {place:?} m at t = {time:e} s: contact is not modelled in a scene with a fluid, and they \
+         would pass through each other; keep them apart by a support, a spring or an earlier end, or set `Scene::refuse_contacts` to false",
+        whom(*.other)
+    )]
+    Contact {
+        /// Number of the structure in the scene.
+        index: usize,
+        /// Number of the other structure; `None` for a wall.
+        other: Option<usize>,
+        /// Place of the structure's point \[m\].
+        place: Vec<f64>,
+        /// Distance of the two points \[m\].
+        distance: f64,
+        /// Time \[s\].
+        time: f64,
+    },
+    /// A structure has been drawn into the fluid.
+    #[error(
+        "the fluid has a particle inside structure {index}, {distance:.3e} m from one of its points, at {place:?} m: cut the body out of the fluid, so that its \
+         particles ({spacing:e} m apart) begin half a spacing before the body's surface"
+    )]
+    InWater {
+        /// Number the structure would have in the scene.
+        index: usize,
+        /// Place of the particle \[m\].
+        place: Vec<f64>,
+        /// Its distance from the nearest point of the structure \[m\].
+        distance: f64,
+        /// Spacing of the fluid \[m\].
+        spacing: f64,
     },
     /// A step without length was asked for.
     #[error("a step of at most {longest:e} s was asked for: it must be longer than zero")]
@@ -96,4 +190,12 @@ pub enum CouplingError {
         /// Steps done.
         steps: u64,
     },
+}
+
+fn whose(point: Option<usize>) -> String {
+    point.map_or_else(|| "the whole".to_owned(), |point| format!("point {point}"))
+}
+
+fn whom(other: Option<usize>) -> String {
+    other.map_or_else(|| "a wall".to_owned(), |other| format!("structure {other}"))
 }

@@ -2,9 +2,12 @@
 //! sections 2.2.4 to 2.2.8).
 
 mod budget;
+mod contact;
 mod elastic;
 mod error;
 mod fixed;
+mod guard;
+mod overlap;
 mod register;
 mod saved;
 mod scene;

@@ -22,6 +22,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             audit_interval: _,
             min_substeps: _,
             max_substeps: _,
+            refuse_contacts: _,
+            // Of the bodies as they were added.
+            contacts: _,
         } = self;
         transfer.within("fluid", |transfer| fluid.transfer(parallel, transfer));
         transfer.same("structures", bodies.len());

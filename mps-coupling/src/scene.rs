@@ -1,7 +1,10 @@
 //! The nested time loop: a fluid and the structures it pushes.
 
 use crate::budget::SubStep;
-use crate::{Budget, CouplingError, Handed, Inertia, Interface, Structure, StructureEnergy};
+use crate::contact::{Contacts, Touch};
+use crate::guard::{check_limit, check_masses, check_new, check_points};
+use crate::overlap::check_water;
+use crate::{Budget, CouplingError, Handed, Interface, Structure, StructureEnergy};
 use core::ops::Range;
 use mps_fluid::{Fluid, FluidEnergy, Push, Slip, Viscosity};
 use mps_kernel::weights::Rational;
@@ -61,6 +64,9 @@ impl<T: Real, const D: usize> Body<T, D> {
 /// show: the pressure answers their motion sub-step by sub-step, and an acceleration that lags by a
 /// step is an added mass with a delay, which was measured to drive the gate unstable. Impulse lost by one
 /// side is gained by the other to round-off, and compression gained by the fluid is work done by the structure.
+///
+/// Contact is not modelled: between structures, and between a structure and a wall, nothing acts but the fluid. Where none is left between them
+/// the run ends with an error ([`refuse_contacts`](Self::refuse_contacts)).
 pub struct Scene<
     T: Real,
     const D: usize,
@@ -74,6 +80,12 @@ pub struct Scene<
     pub(crate) substeps: usize,
     /// A step has failed after somebody had moved.
     pub(crate) broken: bool,
+    pub(crate) contacts: Contacts<T, D>,
+    /// Whether a step fails when a structure has come nearer to a wall or to another structure than three quarters of their spacing (the mean of
+    /// both), after which they would pass through each other: [`CouplingError::Contact`]. Looked for on the occasion of new neighbour rows, without the
+    /// images of periodic domains. What was near when a structure was added may stay near. Default true; false for whoever keeps them apart by forces of
+    /// his own, or does not mind.
+    pub refuse_contacts: bool,
     /// The two sides of the interface are compared every so many steps; 0 never. Default 100.
     pub audit_interval: u64,
     /// Sub-steps of the structures in one fluid step at least. Default 1. More are taken where a structure's own limit or the fluid at its
@@ -92,6 +104,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
             budget: Budget::default(),
             substeps: 0,
             broken: false,
+            contacts: Contacts::default(),
+            refuse_contacts: true,
             min_substeps: 1,
             audit_interval: 100,
             max_substeps: 2000,
@@ -104,8 +118,8 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// off without ([`Slip::None`] follows the sub-steps).
     ///
     /// # Errors
-    /// If the fields of the structure differ in length, a position is not finite or a volume not positive, the spacing does not belong to
-    /// the positions, or the scene has already begun.
+    /// If the fields of the structure differ in length, a position or velocity is not finite, a volume or mass not positive, the spacing does
+    /// not belong to the positions, particles of the fluid are inside the structure, or the scene has already begun.
     pub fn add_structure(
         &mut self,
         parallel: &Parallel,
@@ -116,18 +130,18 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         if self.fluid.steps() > 0 {
             return Err(CouplingError::TooLate { steps: self.fluid.steps() });
         }
-        check_fields(index, &*structure)?;
+        check_new(index, &*structure)?;
         let (positions, volumes) = (structure.positions(), structure.volumes());
         let radius = self.fluid.reference().radius;
         let interface = Interface::register(parallel, positions, &structure.spacings(), radius)?;
+        let l0 = self.fluid.config().spacing;
+        check_water(parallel, index, &*structure, &self.fluid.particles().position, l0)?;
         let volume = self.fluid.config().particle_volume();
         let shown = |i: &u32| *i as usize;
         let points: Vec<_> = interface.visible.iter().map(|i| positions[shown(i)]).collect();
-        let range = self.fluid.boundary_mut().add_structure(
-            &points,
-            interface.visible.iter().map(|i| volumes[shown(i)] / volume),
-            slip,
-        );
+        let relative = interface.visible.iter().map(|i| volumes[shown(i)] / volume);
+        self.contacts.add(parallel, index, self.fluid.boundary(), &points, relative.clone(), l0)?;
+        let range = self.fluid.boundary_mut().add_structure(&points, relative, slip);
         let force = vec![Vector::zeros(); positions.len()];
         let start = positions.to_vec();
         let swept = vec![Vector::zeros(); interface.visible.len()];
@@ -143,9 +157,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     /// step of 1e-16 s those are nothing but rounding.
     ///
     /// # Errors
-    /// If `longest` is not greater than zero: nothing has changed then. If the fluid or a structure cannot go on: fluid and structures stand
-    /// at different times then, to be looked at, and every further step is refused until a saved state is restored
-    /// ([`transfer`](Self::transfer)).
+    /// If `longest` is not greater than zero: nothing has changed then. If the fluid or a structure cannot go on, or a structure is about to pass
+    /// through a wall or another one ([`refuse_contacts`](Self::refuse_contacts)): fluid and structures stand at different times then, to be
+    /// looked at, and every further step is refused until a saved state is restored ([`transfer`](Self::transfer)).
     pub fn step(&mut self, parallel: &Parallel, longest: T) -> Result<T, CouplingError> {
         // Asked this way NaN is refused as well.
         let is_a_step = longest > T::zero();
@@ -162,7 +176,11 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
     }
 
     fn whole_step(&mut self, parallel: &Parallel, longest: T) -> Result<T, CouplingError> {
+        let rebuilds = self.fluid.rebuilds();
         let dt = self.fluid.begin_step(parallel)?.min(longest);
+        if self.refuse_contacts && self.fluid.rebuilds() != rebuilds {
+            self.look_for_contacts(parallel)?;
+        }
         if self.audit_interval > 0 && self.fluid.steps().is_multiple_of(self.audit_interval) {
             self.audit(parallel);
         }
@@ -183,16 +201,29 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         Ok(dt)
     }
 
+    fn look_for_contacts(&mut self, parallel: &Parallel) -> Result<(), CouplingError> {
+        let Some(touch) = self.contacts.search(parallel, self.fluid.boundary())? else { return Ok(()) };
+        let Touch { index, other, place, distance } = touch;
+        let place = place.iter().map(|x| x.to_double()).collect();
+        let (distance, time) = (distance.to_double(), self.fluid.time().to_double());
+        Err(CouplingError::Contact { index, other, place, distance, time })
+    }
+
     /// The structures' part of a step: `m = ceil(dt / limit)` sub-steps (eq. 48), the same number for
     /// all, in each of which they feel the pressure that their own motion has raised so far.
     fn advance_structures(&mut self, parallel: &Parallel, dt: T) -> Result<(), CouplingError> {
         if self.bodies.is_empty() {
             return Ok(());
         }
+        let time = self.fluid.time().to_double();
+        // Somebody may have had hands on them since the last step.
+        for (index, body) in self.bodies.iter().enumerate() {
+            check_points(index, body, time)?;
+            check_masses(index, &*body.structure)?;
+        }
         self.substeps = self.substeps_for(parallel, dt)?;
         let sub_dt = dt / T::of(self.substeps as f64);
         let gravity = self.fluid.config().gravity;
-        let time = self.fluid.time().to_double();
         for body in &mut self.bodies {
             body.start.copy_from_slice(body.structure.positions());
             body.swept.fill(Vector::zeros());
@@ -208,6 +239,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
                 body.structure
                     .advance(parallel, &body.force, &gravity, sub_dt, 1)
                     .map_err(|source| CouplingError::Structure { index, time, source })?;
+                check_points(index, body, time)?;
                 let step = SubStep {
                     force: &body.force,
                     velocity: body.structure.mean_velocities(),
@@ -238,6 +270,7 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         let mut most = self.min_substeps.max(1) as f64;
         for (index, body) in self.bodies.iter().enumerate() {
             let (own, shared) = (body.structure.max_step(parallel), self.longest_substep(body));
+            check_limit(index, own)?;
             // Not `min`, which would hide a limit that is no number.
             let limit = if shared < own || shared.partial_cmp(&shared).is_none() { shared } else { own };
             let substeps = (dt / limit).to_double().ceil();
@@ -261,7 +294,9 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
 
     /// Refreshes normals and wetted marks of all structures, for output and probes.
     pub fn update_interfaces(&mut self, parallel: &Parallel) {
-        for body in &mut self.bodies {
+        // After a step that failed a structure may show anything.
+        for body in self.bodies.iter_mut().filter(|body| body.structure.positions().len() == body.force.len())
+        {
             body.interface.update_normals(parallel, body.structure.positions());
             let (fluid, first) = (&self.fluid, body.range.start);
             body.interface.update_wetted(|k| fluid.contacts(first + k));
@@ -332,25 +367,4 @@ impl<T: Real, const D: usize, K: Kernel<T>, V: Viscosity<T, D>, P: Domain<T, D>>
         }
         (self.fluid.energy(parallel), sum)
     }
-}
-
-/// Refuses a structure whose fields do not fit together.
-fn check_fields<T: Real, const D: usize>(
-    index: usize,
-    structure: &dyn Structure<T, D>,
-) -> Result<(), CouplingError> {
-    let positions = structure.positions().len();
-    let mut lengths = vec![("volumes", structure.volumes().len())];
-    lengths.push(("mean velocities", structure.mean_velocities().len()));
-    if let Inertia::Points(masses) = structure.inertia() {
-        lengths.push(("masses", masses.len()));
-    }
-    if let Some((what, got)) = lengths.into_iter().find(|(_, got)| *got != positions) {
-        return Err(CouplingError::Lengths { index, positions, what, got });
-    }
-    let unusable = |volume: &&T| !(**volume > T::zero() && volume.is_finite());
-    if let Some(volume) = structure.volumes().iter().find(unusable) {
-        return Err(CouplingError::Volume { index, volume: volume.to_double() });
-    }
-    Ok(())
 }

@@ -25,8 +25,13 @@ impl<T: Real, const D: usize> Body<T, D> {
         match self.structure.inertia() {
             Inertia::Unknown => T::zero(),
             Inertia::Rigid(mass) => fluid.interface_stiffness_of(&self.range) / mass,
-            Inertia::Points(masses) => points
-                .fold(T::zero(), |most, (a, &i)| most.max(fluid.interface_stiffness(a) / masses[i as usize])),
+            Inertia::Points(masses) => points.fold(T::zero(), |most, (a, &i)| {
+                // Masses are looked at before a step (`guard.rs`), but anybody may ask for the border.
+                let mass = masses.get(i as usize).copied().unwrap_or(T::of(f64::NAN));
+                let rate = fluid.interface_stiffness(a) / mass;
+                // Not `max`, which would hide a rate that is no number.
+                if rate < most { most } else { rate }
+            }),
         }
     }
 

@@ -42,6 +42,10 @@ pub type Momenta<T, const D: usize> = Push<T, D>;
 ///
 /// A structure shows itself as points that fill its volume, at least as deep as the effective
 /// radius of the fluid below its wetted surface. Everything is in SI units, per metre of depth in 2D.
+///
+/// Whatever it shows is looked at before it is used: after each sub-step the number of its points and whether places and velocities are finite,
+/// before each step its masses and its longest sub-step. It is not kept from passing through walls and other structures, which it does not know
+/// of: where that is about to happen the scene ends with an error ([`Scene::refuse_contacts`](crate::Scene::refuse_contacts)).
 pub trait Structure<T: Real, const D: usize>: Any + Send + Sync {
     /// Positions of the points \[m\]. Their number and order never change.
     fn positions(&self) -> &[Vector<T, D>];

@@ -5,20 +5,22 @@
 mod common;
 
 use common::column::column;
-use common::{Noise, Wet, floating, gate, lattice};
+use common::{Noise, Rubber, Wet, block, floating, floating_in, gate, lattice};
 use mps_coupling::{Fixed, Scene};
 use mps_fluid::{Slip, Viscosity};
-use mps_kernel::{Kernel, State};
+use mps_kernel::{Kernel, State, Vector};
 use mps_neighbors::{Domain, Parallel};
+use mps_solid::Placement;
+use mps_solid::body::{self, Face};
 
-fn save<K: Kernel<f64>, V: Viscosity<f64, 2>, P: Domain<f64, 2>>(
-    scene: &mut Scene<f64, 2, K, V, P>,
+fn save<const D: usize, K: Kernel<f64>, V: Viscosity<f64, D>, P: Domain<f64, D>>(
+    scene: &mut Scene<f64, D, K, V, P>,
 ) -> State {
     State::save(|transfer| scene.transfer(&Parallel::serial(), transfer)).unwrap()
 }
 
 /// As for the fluid alone: every moment from the first step to the second rebuild of the rows.
-fn assert_goes_on(build: impl Fn() -> Wet, steps: usize) {
+fn assert_goes_on<const D: usize>(build: impl Fn() -> Wet<D>, steps: usize) {
     let serial = Parallel::serial();
     let mut scene = build();
     let (mut states, mut rebuilds, mut most) = (vec![save(&mut scene)], vec![0], 0);
@@ -72,6 +74,37 @@ fn two_structures_go_on() {
         scene
     };
     assert_goes_on(build, 25);
+}
+
+/// A block in a blob in space, and beside it a post on a support that swings; the books of both sides are kept.
+fn swinging() -> Wet<3> {
+    let (l0, across) = (0.01, 10);
+    let mut scene = floating_in::<3>(0.4, across, 4);
+    let side = across as f64 * l0;
+    let (lower, upper) = ([side, 3.0 * l0, 3.0 * l0], [side + 4.0 * l0, 7.0 * l0, 7.0 * l0]);
+    let clamp = [Face::upper(0)];
+    let counts = body::counts(&lower.into(), &upper.into(), l0, &clamp);
+    let mut post = block(lower, upper, counts, &clamp, 1e6);
+    let swing = |time: f64| Placement::shifted(Vector::from([0.0, 2e-3 * (1.0 - (200.0 * time).cos()), 0.0]));
+    post.move_supports(|_| true, swing).unwrap();
+    scene.add_structure(&Parallel::serial(), Box::new(Rubber::new(post)), Slip::None).unwrap();
+    scene.keep_books(Vector::from([0.02, -0.03, 0.05]));
+    scene
+}
+
+#[test]
+fn in_space_two_bodies_a_moved_support_and_the_books_go_on() {
+    let mut scene = swinging();
+    for _ in 0..30 {
+        scene.step(&Parallel::serial(), f64::INFINITY).unwrap();
+    }
+    // There is something to be saved of all of them.
+    let (then, now) = (swinging(), scene.structure(1).unwrap().positions());
+    let then = then.structure(1).unwrap().positions();
+    assert!(now.iter().zip(then).any(|(now, then)| (now - then).norm() > 1e-3), "the support has moved");
+    assert!(scene.budget().closure().is_some_and(|closure| closure.off_line > 0.0));
+    assert!(scene.budget().handed.iter().all(|handed| handed.size[0] > 0.0), "both are pushed");
+    assert_goes_on(swinging, 30);
 }
 
 #[test]

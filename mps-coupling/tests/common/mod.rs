@@ -247,6 +247,63 @@ impl Structure<f64, 2> for Piston {
     }
 }
 
+/// A body that goes its way whatever pushes it.
+pub struct Driven<const D: usize> {
+    position: Vec<Vector<f64, D>>,
+    velocity: Vec<Vector<f64, D>>,
+    volume: Vec<f64>,
+    spacing: f64,
+}
+
+impl<const D: usize> Driven<D> {
+    pub fn new(position: Vec<Vector<f64, D>>, spacing: f64, velocity: Vector<f64, D>) -> Self {
+        let len = position.len();
+        Self { position, velocity: vec![velocity; len], volume: vec![spacing.powi(D as i32); len], spacing }
+    }
+}
+
+impl<const D: usize> Structure<f64, D> for Driven<D> {
+    fn positions(&self) -> &[Vector<f64, D>] {
+        &self.position
+    }
+
+    fn mean_velocities(&self) -> &[Vector<f64, D>] {
+        &self.velocity
+    }
+
+    fn volumes(&self) -> &[f64] {
+        &self.volume
+    }
+
+    fn spacing(&self) -> f64 {
+        self.spacing
+    }
+
+    fn max_step(&self, _: &Parallel) -> f64 {
+        f64::INFINITY
+    }
+
+    fn advance(
+        &mut self,
+        _: &Parallel,
+        _: &[Vector<f64, D>],
+        _: &Vector<f64, D>,
+        dt: f64,
+        _: usize,
+    ) -> Result<(), Box<dyn Error + Send + Sync>> {
+        self.position.iter_mut().zip(&self.velocity).for_each(|(r, u)| *r += u * dt);
+        Ok(())
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
+    }
+
+    fn energy(&self, _: &Parallel, _: &Vector<f64, D>) -> StructureEnergy<f64> {
+        StructureEnergy::default()
+    }
+}
+
 /// A column of water, endless sideways, between a floor and a piston.
 pub mod column {
     use super::{Piston, lattice};
