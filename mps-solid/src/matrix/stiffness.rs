@@ -28,7 +28,8 @@ pub struct Stiffness<const D: usize> {
 }
 
 impl<const D: usize> Stiffness<D> {
-    /// The matrix of a body about its current positions; velocities do not matter.
+    /// The matrix of a body about its current positions. Velocities do not matter, nor does how the body came here: a material with a memory is asked
+    /// as if it had [settled](ConstitutiveModel::settle), so that a viscous stress has no part in it.
     ///
     /// # Errors
     /// If nothing can move, a particle is turned inside out or not finite, or the stress of the material
