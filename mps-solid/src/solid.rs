@@ -2,7 +2,7 @@
 
 use crate::kinematics::{corrections, deformation_gradient};
 use crate::momentum::InnerStress;
-use crate::preparation::{check_step, prepare};
+use crate::preparation::{check_material, check_step, prepare};
 use crate::stabilization::bending_coefficient;
 use crate::supports::{Motion, Placement};
 use crate::undo::Before;
@@ -57,7 +57,7 @@ where
     /// \[kg/m^3\].
     ///
     /// # Errors
-    /// If there is no particle, a number is out of range, two particles coincide or the body is thinner
+    /// If there is no particle, a number is out of range, the moduli of the material are those of none, two particles coincide or the body is thinner
     /// than two particles somewhere.
     pub fn new(
         mut particles: SolidParticles<T, D>,
@@ -71,6 +71,7 @@ where
         config.validate()?;
         let pairs = prepare(&mut particles, &spacing, density, &kernel, config.radius_ratio)?;
         let len = particles.len();
+        check_material(&material, density)?;
         let correction = corrections(&particles, &pairs)?;
         let kappa = bending_coefficient(&material, &kernel, &spacing, config.radius_ratio)?
             * config.bending_correction;
