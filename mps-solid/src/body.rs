@@ -118,6 +118,9 @@ impl Face {
 ///
 /// The axis with the fewest particles runs fastest, so that neighbours are near in memory.
 ///
+/// Other bodies must not touch a clamped face, nor one that slides: [`contact`](crate::contact) takes the surface of a body half a
+/// spacing outside its outermost particles. What they shall touch is a [`wall`].
+///
 /// # Errors
 /// If an edge is not longer than zero or has fewer than 2 particles, or a face in `clamp` does not exist.
 pub fn block<T: Real, const D: usize>(
@@ -177,6 +180,24 @@ pub fn block<T: Real, const D: usize>(
         clamped: clamp.to_vec(),
         sliding: Vec::new(),
     })
+}
+
+/// A rigid wall for other bodies to touch: the box from `lower` to `upper` \[m\] filled with `counts` particles along each axis, all of
+/// them held. They sit in the middle of their cells on every side, so that its surface is where it is drawn. Two layers are
+/// enough. Its material says how much it gives way where it is touched; [`Solid::move_supports`](crate::Solid::move_supports) moves it.
+///
+/// # Errors
+/// If an edge is not longer than zero or has fewer than 2 particles.
+pub fn wall<T: Real, const D: usize>(
+    lower: Vector<T, D>,
+    upper: Vector<T, D>,
+    counts: [usize; D],
+) -> Result<Body<T, D>, SolidError> {
+    let mut wall = block(lower, upper, counts, &[])?;
+    for i in 0..wall.particles.reference.len() {
+        (0..D).for_each(|axis| wall.particles.hold(i, axis, true));
+    }
+    Ok(wall)
 }
 
 /// The numbers of particles that bring the spacing of every axis closest to `spacing` \[m\], for

@@ -1,6 +1,6 @@
 //! What every body is checked for before it is built and before it moves.
 
-use crate::{SolidError, SolidParticles};
+use crate::{ConstitutiveModel, SolidError, SolidParticles};
 use mps_kernel::{Kernel, ParticleStore, Real, Vector};
 use mps_neighbors::FrozenPairs;
 
@@ -32,6 +32,32 @@ pub(crate) fn prepare<T: Real, const D: usize>(
         particles.mass[i] = volume * density;
     }
     Ok(FrozenPairs::build(&particles.reference, spacing, kernel, radius_ratio)?)
+}
+
+/// Checks that the undeformed body resists every strain, by the moduli that the material reports, and that its waves have a speed.
+///
+/// # Errors
+/// With the name of what is not positive and finite.
+pub(crate) fn check_material<T: Real, const D: usize>(
+    material: &impl ConstitutiveModel<T, D>,
+    density: T,
+) -> Result<(), SolidError> {
+    let (lambda, mu) = (material.first_lame_modulus().to_double(), material.shear_modulus().to_double());
+    let positive = [
+        ("the shear modulus of the material", mu),
+        (
+            "lambda + 2 mu/D of the material, its resistance to a change of volume,",
+            lambda + 2.0 * mu / D as f64,
+        ),
+        ("the wave speed of the material", material.wave_speed(density).to_double()),
+    ];
+    for (name, value) in positive {
+        // Written so that NaN is refused too.
+        if !(value > 0.0 && value.is_finite()) {
+            return Err(SolidError::Parameter { name, must: "positive and finite", value });
+        }
+    }
+    Ok(())
 }
 
 /// Checks the arguments of a step of a body of so many particles.

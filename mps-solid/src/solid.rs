@@ -2,7 +2,7 @@
 
 use crate::kinematics::{corrections, deformation_gradient};
 use crate::momentum::InnerStress;
-use crate::preparation::{check_step, prepare};
+use crate::preparation::{check_material, check_step, prepare};
 use crate::stabilization::bending_coefficient;
 use crate::supports::{Motion, Placement};
 use crate::undo::Before;
@@ -42,6 +42,7 @@ where
     // Working space of a step.
     pub(crate) inner: Vec<InnerStress<T, D>>,
     pub(crate) before: Before<T, D, M::History>,
+    pub(crate) remembered: Before<T, D, M::History>,
     pub(crate) next: Vec<Vector<T, D>>,
 }
 
@@ -57,7 +58,7 @@ where
     /// \[kg/m^3\].
     ///
     /// # Errors
-    /// If there is no particle, a number is out of range, two particles coincide or the body is thinner
+    /// If there is no particle, a number is out of range, the moduli of the material are those of none, two particles coincide or the body is thinner
     /// than two particles somewhere.
     pub fn new(
         mut particles: SolidParticles<T, D>,
@@ -70,6 +71,7 @@ where
     ) -> Result<Self, SolidError> {
         config.validate()?;
         let pairs = prepare(&mut particles, &spacing, density, &kernel, config.radius_ratio)?;
+        check_material(&material, density)?;
         let len = particles.len();
         let correction = corrections(&particles, &pairs)?;
         let kappa = bending_coefficient(&material, &kernel, &spacing, config.radius_ratio)?
@@ -86,6 +88,7 @@ where
             placements: Vec::new(),
             inner: vec![no_stress; len],
             before: Before::with_room(len),
+            remembered: Before::with_room(0),
             next: particles.position.clone(),
             stale: true,
             particles,

@@ -13,6 +13,7 @@ enum Mistake {
     DividesByElapsed,
     WritesWhenAsked,
     ForgetsTheRate,
+    NeverSettles,
     RemembersOutside,
     StressFactor,
     Transposed,
@@ -57,6 +58,16 @@ fn fibre<const D: usize>(f: &Tensor<f64, D>) -> f64 {
     f.column(0).norm_squared()
 }
 
+impl Broken {
+    fn strain<const D: usize>(&self, f: &Tensor<f64, D>) -> Tensor<f64, D> {
+        if self.mistake == M::RateOfF {
+            f - Tensor::identity()
+        } else {
+            (f.transpose() * f - Tensor::identity()) * 0.5
+        }
+    }
+}
+
 impl<const D: usize> ConstitutiveModel<f64, D> for Broken {
     /// Strain and its rate (`F` and its rate for `RateOfF`).
     type History = [[[f64; 3]; 3]; 2];
@@ -73,11 +84,7 @@ impl<const D: usize> ConstitutiveModel<f64, D> for Broken {
     }
 
     fn first_piola(&self, f: &Tensor<f64, D>, history: &mut Self::History, elapsed: f64) -> Tensor<f64, D> {
-        let strain = if self.mistake == M::RateOfF {
-            f - Tensor::identity()
-        } else {
-            (f.transpose() * f - Tensor::identity()) * 0.5
-        };
+        let strain = self.strain(f);
         let divides = self.mistake == M::DividesByElapsed;
         if elapsed > 0.0 || divides {
             history[1] = written((strain - read(&history[0])) / elapsed);
@@ -117,6 +124,12 @@ impl<const D: usize> ConstitutiveModel<f64, D> for Broken {
         p
     }
 
+    fn settle(&self, f: &Tensor<f64, D>, history: &mut Self::History) {
+        if self.mistake != M::NeverSettles {
+            *history = [written(self.strain(f)), [[0.0; 3]; 3]];
+        }
+    }
+
     fn first_lame_modulus(&self) -> f64 {
         self.base.moduli.lambda
     }
@@ -149,6 +162,7 @@ fn every_mistake_is_found_and_named() {
         (M::DividesByElapsed, Check::ElapsedZero),
         (M::WritesWhenAsked, Check::ElapsedZero),
         (M::ForgetsTheRate, Check::ElapsedZero),
+        (M::NeverSettles, Check::Settle),
         (M::RemembersOutside, Check::Restart),
         (M::StressFactor, Check::EnergyGradient),
         (M::Transposed, Check::EnergyGradient),

@@ -6,7 +6,7 @@ mod common;
 use common::block;
 use mps_kernel::{ParticleStore, Vector, weights::WendlandC2};
 use mps_neighbors::{FrozenError, Parallel};
-use mps_solid::materials::{CorotationalHooke, SaintVenantKirchhoff};
+use mps_solid::materials::{CorotationalHooke, Moduli, SaintVenantKirchhoff};
 use mps_solid::{Solid, SolidConfig, SolidError, SolidParticles};
 
 type Plane = Solid<f64, 2, CorotationalHooke<f64>>;
@@ -50,6 +50,29 @@ fn unusable_bodies_are_refused() {
     let mut lost = grid(3, 3);
     lost.push(Vector::<f64, 2>::new(f64::NAN, 1.0), 1.0, false);
     assert!(matches!(build(lost, 1.0), Err(SolidError::Reference(FrozenError::Search(_)))));
+}
+
+/// Moduli that no body has, of a material that was put together by hand.
+#[test]
+fn impossible_moduli_are_refused_by_name() {
+    let of = |lambda: f64, mu: f64| {
+        let material = CorotationalHooke { moduli: Moduli { lambda, mu } };
+        let (config, parallel) = (SolidConfig::default(), Parallel::serial());
+        let spacing = Vector::<f64, 2>::repeat(1.0);
+        Solid::new(grid(3, 3), spacing, 1.0, material, WendlandC2, config, &parallel).map(|_| ())
+    };
+    for (lambda, mu, part) in [
+        (1.0, -1.0, "the shear modulus"),
+        (1.0, 0.0, "the shear modulus"),
+        (f64::NAN, 1.0, "lambda + 2 mu/D"),
+        (-1.0, 1.0, "lambda + 2 mu/D"),
+        (-3.0, 1.0, "lambda + 2 mu/D"),
+        (f64::INFINITY, 1.0, "lambda + 2 mu/D"),
+    ] {
+        let error = of(lambda, mu).unwrap_err();
+        assert!(matches!(error, SolidError::Parameter { .. }) && error.to_string().contains(part), "{error}");
+    }
+    assert!(of(-0.9, 1.0).is_ok(), "auxetic");
 }
 
 #[test]

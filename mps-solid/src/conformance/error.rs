@@ -10,6 +10,9 @@ pub enum Check {
     Restart,
     /// Asked again with `elapsed = 0` it gives the same stress and does not change its history.
     ElapsedZero,
+    /// After [`settle`](crate::ConstitutiveModel::settle) the stress is that of a path which has been held for long, a
+    /// thousand times `elapsed`.
+    Settle,
     /// `P = dw/dF` with the history held at rest and `elapsed = 0`.
     EnergyGradient,
     /// `w(Q F) = w(F)` and `P(Q F) = Q P(F)`, along whole paths with a rotation of its own for each state.
@@ -31,9 +34,10 @@ pub enum Check {
 
 impl Check {
     /// All checks in the order in which they are made.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Restart,
         Self::ElapsedZero,
+        Self::Settle,
         Self::EnergyGradient,
         Self::Objectivity,
         Self::StressSymmetry,
@@ -54,6 +58,9 @@ impl Check {
         match self {
             Self::ElapsedZero => {
                 "with elapsed = 0 nothing may be divided by elapsed or written to the history, and a stress that depends on a rate is made of the rate kept in the history"
+            }
+            Self::Settle => {
+                "settle must leave the history of a body at rest, where it is: a rate that is kept must be set to zero, or the strain of a search for the equilibrium counts as a motion"
             }
             Self::Restart => {
                 "the model keeps something outside its History (a cell, an atomic, a counter): every particle and every restart needs it inside"

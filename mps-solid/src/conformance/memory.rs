@@ -5,6 +5,9 @@ use crate::ConstitutiveModel;
 use bytemuck::{bytes_of, pod_read_unaligned};
 use mps_kernel::Tensor;
 
+/// For how many times `elapsed` a path is held until it counts as being at rest.
+const HELD: usize = 1000;
+
 impl Conformance {
     pub(super) fn elapsed_zero<const D: usize, M: ConstitutiveModel<f64, D>>(
         &self,
@@ -23,6 +26,31 @@ impl Conformance {
                 let again = ask_again(material, f, &mut history, verdict)?;
                 verdict.equal_tensors("P, asked for again", f, &again, &stress)?;
             }
+        }
+        Ok(())
+    }
+
+    pub(super) fn settle<const D: usize, M: ConstitutiveModel<f64, D>>(
+        &self,
+        material: &M,
+        verdict: &Verdict,
+    ) -> Result<(), ConformanceError> {
+        let mut samples = self.samples();
+        for _ in 0..self.samples {
+            let path = samples.path::<D>();
+            let last = &path[path.len() - 1];
+            let mut history = M::History::default();
+            for f in &path {
+                material.first_piola(f, &mut history, self.elapsed);
+            }
+            let mut held = history;
+            for _ in 0..HELD {
+                material.first_piola(last, &mut held, self.elapsed);
+            }
+            let expected = material.first_piola(last, &mut held, 0.0);
+            material.settle(last, &mut history);
+            let stress = ask_again(material, last, &mut history, verdict)?;
+            verdict.equal_tensors("P after settle, against that of a path held", last, &stress, &expected)?;
         }
         Ok(())
     }

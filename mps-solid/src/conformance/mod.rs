@@ -101,6 +101,7 @@ impl Conformance {
         match check {
             Check::Restart => self.restart(material, &verdict),
             Check::ElapsedZero => self.elapsed_zero(material, &verdict),
+            Check::Settle => self.settle(material, &verdict),
             Check::EnergyGradient => self.energy_gradient(material, &verdict),
             Check::Objectivity => self.objectivity(material, &verdict),
             Check::StressSymmetry => self.stress_symmetry(material, &verdict),

@@ -2,19 +2,22 @@
 
 use crate::{ConstitutiveModel, Solid, SolidEnergy, SolidError};
 use mps_kernel::{Kernel, Real, Vector};
-use mps_neighbors::Parallel;
+use mps_neighbors::{FrozenPairs, Parallel};
 
 /// What of a body never changes, as far as contact is concerned.
 #[derive(Clone, Copy, Debug)]
 pub struct Shape<'a, T: Real, const D: usize> {
-    /// Positions in the undeformed body \[m\]; near ones do not feel each other.
+    /// Positions in the undeformed body \[m\].
     pub reference: &'a [Vector<T, D>],
+    /// Reference pairs: particles that a few of them join do not feel each other, nor do those inside.
+    pub pairs: &'a FrozenPairs<T, D>,
     /// Volume each particle stands for \[m^D\].
     pub volume: &'a [T],
     /// Mass of each particle \[kg, per metre of depth in 2D\].
     pub mass: &'a [T],
-    /// Distance of neighbouring particles \[m\]; the surface lies half of it outside the outermost ones.
-    pub spacing: T,
+    /// Distance of neighbouring particles along each axis \[m\], within a tenth the same; the surface lies half of their mean
+    /// outside the outermost particles.
+    pub spacing: Vector<T, D>,
     /// `lambda + 2 mu` \[Pa\], the modulus under compression without room to the sides.
     pub modulus: T,
 }
@@ -49,6 +52,14 @@ pub trait Elastic<T: Real, const D: usize>: Send + Sync {
         dt: T,
     ) -> Result<(), SolidError>;
 
+    /// Keeps the present state, so that [`go_back`](Self::go_back) can bring it back: positions, velocities, time and all that the
+    /// next step depends on. Called once in a call of [`Contact::advance`](super::Contact::advance). A body that leaves this and `go_back` as they are, doing
+    /// nothing, stays where an error has found it.
+    fn remember(&mut self) {}
+
+    /// Brings back the state that was [remembered](Self::remember) last.
+    fn go_back(&mut self, _parallel: &Parallel) {}
+
     /// Its energy without contact; `gravity` \[m/s^2\] is the acceleration of the potential.
     fn energy(&self, parallel: &Parallel, gravity: &Vector<T, D>) -> SolidEnergy<T>;
 }
@@ -61,13 +72,12 @@ where
 {
     fn shape(&self) -> Shape<'_, T, D> {
         let material = self.material();
-        // As for the reference pairs: the mean of spacings that differ a little.
-        let product = self.spacing().iter().fold(T::one(), |product, l| product * *l);
         Shape {
             reference: self.particles().reference_positions(),
+            pairs: self.pairs(),
             volume: self.volumes(),
             mass: self.masses(),
-            spacing: product.powf(T::of(1.0 / D as f64)),
+            spacing: *self.spacing(),
             modulus: material.first_lame_modulus() + material.shear_modulus() * T::of(2.0),
         }
     }
@@ -92,6 +102,14 @@ where
         dt: T,
     ) -> Result<(), SolidError> {
         self.advance(parallel, force, gravity, dt, 1)
+    }
+
+    fn remember(&mut self) {
+        self.remember();
+    }
+
+    fn go_back(&mut self, parallel: &Parallel) {
+        self.go_back(parallel);
     }
 
     fn energy(&self, parallel: &Parallel, gravity: &Vector<T, D>) -> SolidEnergy<T> {

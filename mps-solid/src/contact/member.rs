@@ -1,12 +1,18 @@
 //! What contact keeps of a body.
 
+use super::bonds::Bonds;
 use super::{ContactError, Shape};
 use mps_kernel::{Real, Vector};
 use mps_neighbors::Parallel;
 
+/// Largest ratio of the spacings along two axes. The surface is taken half a mean spacing outside of the outermost particles, on every side:
+/// with this it is off by a fortieth of a spacing.
+const UNEVEN: f64 = 1.1;
+
 #[derive(Clone, Debug)]
 pub(crate) struct Member<T: Real, const D: usize> {
-    pub(crate) reference: Vec<Vector<T, D>>,
+    /// If it may meet itself.
+    pub(crate) bonds: Option<Bonds>,
     pub(crate) volume: Vec<T>,
     pub(crate) spacing: T,
     pub(crate) modulus: T,
@@ -21,8 +27,8 @@ pub(crate) struct Member<T: Real, const D: usize> {
 }
 
 impl<T: Real, const D: usize> Member<T, D> {
-    /// Copies `shape` of body number `body`.
-    pub(crate) fn new(shape: &Shape<'_, T, D>, body: usize) -> Result<Self, ContactError> {
+    /// Copies `shape` of body number `body`, which may meet itself if `folds`.
+    pub(crate) fn new(shape: &Shape<'_, T, D>, body: usize, folds: bool) -> Result<Self, ContactError> {
         let particles = shape.reference.len();
         for (name, got) in [("volume", shape.volume.len()), ("mass", shape.mass.len())] {
             if got != particles {
@@ -38,7 +44,11 @@ impl<T: Real, const D: usize> Member<T, D> {
                 Err(ContactError::Shape { body, name, value })
             }
         };
-        check("spacing", shape.spacing)?;
+        shape.spacing.iter().try_for_each(|l| check("spacing", *l))?;
+        let ratio = (shape.spacing.max() / shape.spacing.min()).to_double();
+        if ratio > UNEVEN {
+            return Err(ContactError::Uneven { body, ratio, largest: UNEVEN });
+        }
         check("modulus", shape.modulus)?;
         let mut density = None;
         for (volume, mass) in shape.volume.iter().zip(shape.mass) {
@@ -48,9 +58,10 @@ impl<T: Real, const D: usize> Member<T, D> {
             density = Some(density.map_or(this, |least: T| least.min(this)));
         }
         Ok(Self {
-            reference: shape.reference.to_vec(),
+            bonds: if folds { Some(Bonds::new(shape, body)?) } else { None },
             volume: shape.volume.to_vec(),
-            spacing: shape.spacing,
+            // As for the reference pairs.
+            spacing: shape.spacing.iter().fold(T::one(), |all, l| all * *l).powf(T::of(1.0 / D as f64)),
             modulus: shape.modulus,
             density: density.unwrap_or(T::one()),
             force: vec![Vector::zeros(); particles],

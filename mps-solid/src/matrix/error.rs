@@ -44,17 +44,27 @@ pub enum MatrixError {
         /// Relative residual that was left.
         residual: f64,
     },
-    /// A displacement costs no energy, or next to none.
+    /// The supports leave the body, or a part of it, free to move or turn as a whole.
     #[error(
-        "the body can be displaced almost without force: its smallest stiffness is {ratio:e} of the largest; clamp it so that it can neither move nor turn"
+        "the supports leave {motions} rigid motions of the part with particle {id} free: hold it so that it can neither move nor turn"
     )]
     NotHeld {
+        /// Identity of a particle of that part.
+        id: u32,
+        /// How many of its motions are free.
+        motions: usize,
+    },
+    /// A displacement costs so little energy that it is lost in rounding.
+    #[error(
+        "the body is held, but its smallest stiffness is {ratio:e} of the largest, too near to the rounding of the matrix (1e-16) for a displacement to be right: take fewer particles along a slender body, a smaller Poisson's ratio, or look for parts that hang together by a hinge"
+    )]
+    IllConditioned {
         /// Smallest over largest eigenvalue of `M^-1 K`, estimated.
         ratio: f64,
     },
     /// A displacement gains energy.
     #[error(
-        "the matrix is not positive definite: the body is free to move or turn (clamp it), or its state is not stable (reduce the load)"
+        "the matrix is not positive definite although the body is held: its state is not stable (reduce the load), or it is so slender that its softest bending is lost in rounding (take fewer particles along it)"
     )]
     Unstable,
     /// No equilibrium was found.

@@ -39,6 +39,7 @@ mod eigen;
 mod error;
 mod factor;
 mod freedoms;
+mod held;
 mod modes;
 mod newton;
 mod stiffness;

@@ -5,12 +5,13 @@ use super::assembly::{Sparse, assemble};
 use super::eigen::largest_values;
 use super::factor::{Factor, Pattern};
 use super::freedoms::Freedoms;
+use super::held::check_supports;
 use crate::{ConstitutiveModel, Solid};
 use mps_kernel::{Kernel, Vector};
 
-/// Smallest over largest eigenvalue of a body that counts as held. Free bodies come to `1e-13`; a clamped
-/// one of 320 by 32 particles is at `1e-8`, almost incompressible at `1e-11`.
-const HELD: f64 = 1e-12;
+/// Smallest over largest eigenvalue with which displacements are still right to about a hundredth. A clamped body of 320 by 32 particles is at
+/// `1e-8`, almost incompressible at `1e-11`.
+const SOFTEST: f64 = 1e-14;
 
 /// The stiffness matrix `K` of a body about its current positions, the second derivative of its energy,
 /// and its lumped masses, both restricted to the degrees of freedom that move.
@@ -25,10 +26,13 @@ pub struct Stiffness<const D: usize> {
     /// `M^-1/2 K M^-1/2`: its eigenvalues are `omega^2`, its eigenvectors `M^1/2 phi` are orthonormal.
     pub(super) scaled: Sparse,
     pub(super) pattern: Pattern,
+    /// What the supports leave free, if anything.
+    supports: Result<(), MatrixError>,
 }
 
 impl<const D: usize> Stiffness<D> {
-    /// The matrix of a body about its current positions; velocities do not matter.
+    /// The matrix of a body about its current positions. Velocities do not matter, nor does how the body came here: a material with a memory is asked
+    /// as if it had [settled](ConstitutiveModel::settle), so that a viscous stress has no part in it.
     ///
     /// # Errors
     /// If nothing can move, a particle is turned inside out or not finite, or the stress of the material
@@ -45,7 +49,8 @@ impl<const D: usize> Stiffness<D> {
         let scale = freedoms.gather(|i, _| 1.0 / solid.masses()[i].sqrt());
         let scaled = Sparse::pattern(solid.pairs(), &freedoms);
         let pattern = Pattern::new(&scaled)?;
-        let mut stiffness = Self { freedoms, scale, scaled, pattern };
+        let supports = check_supports(solid);
+        let mut stiffness = Self { freedoms, scale, scaled, pattern, supports };
         stiffness.update(solid)?;
         Ok(stiffness)
     }
@@ -95,8 +100,9 @@ impl<const D: usize> Stiffness<D> {
     /// The small displacement `u` \[m\] under the force on every particle \[N\]: `K u = f`.
     ///
     /// # Errors
-    /// If there is not one force for every particle, or the body is not held ([`MatrixError::NotHeld`],
-    /// [`MatrixError::Unstable`]).
+    /// If there is not one force for every particle, its supports do not hold the body
+    /// ([`MatrixError::NotHeld`]), its state is not stable ([`MatrixError::Unstable`]), or it is so slender that rounding
+    /// would decide ([`MatrixError::IllConditioned`]).
     pub fn solve(&self, force: &[Vector<f64, D>]) -> Result<Vec<Vector<f64, D>>, MatrixError> {
         self.freedoms.check("force", force)?;
         self.solve_unknowns(self.freedoms.gather(|i, axis| force[i][axis]))
@@ -139,6 +145,7 @@ impl<const D: usize> Stiffness<D> {
 
     /// The factors of the scaled matrix, if no displacement is free.
     fn held(&self) -> Result<Factor, MatrixError> {
+        self.supports.clone()?;
         let factor = Factor::new(self, 0.0)?.ok_or(MatrixError::Unstable)?;
         // Two inverse iterations from noise show the softest displacement.
         let size = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -147,7 +154,7 @@ impl<const D: usize> Stiffness<D> {
         let once = size(&trial);
         factor.solve(&mut trial);
         let ratio = once / (size(&trial) * self.bound());
-        if ratio > HELD { Ok(factor) } else { Err(MatrixError::NotHeld { ratio }) }
+        if ratio > SOFTEST { Ok(factor) } else { Err(MatrixError::IllConditioned { ratio }) }
     }
 
     /// The scaled matrix times a vector of unknowns.

@@ -23,7 +23,8 @@ const STEP: f64 = 1e-3;
 const SYMMETRIC: f64 = 1e-8;
 
 /// The symmetric `D^2 x D^2` matrix `A` \[Pa\] of particle `i` at its current position:
-/// `dP_ab = A_(a D + b)(c D + d) dF_cd`. A material with a memory is asked with no time elapsed.
+/// `dP_ab = A_(a D + b)(c D + d) dF_cd`. A material with a memory is asked with no time elapsed and a
+/// history that has settled here: the rate of a body that moves is none of its stiffness.
 ///
 /// # Errors
 /// If the particle is turned inside out or not finite, or the stress has no energy.
@@ -40,10 +41,12 @@ where
     if determinant(&f).is_nan() || determinant(&f) <= 0.0 {
         return Err(broken(solid, i, &f).into());
     }
+    let mut history = solid.history[i];
+    solid.material.settle(&f, &mut history);
     let stress = |c: usize, d: usize, steps: f64| {
         let mut f = f;
         f[(c, d)] += steps * STEP;
-        solid.material.first_piola(&f, &mut { solid.history[i] }, 0.0)
+        solid.material.first_piola(&f, &mut { history }, 0.0)
     };
     let mut a = DMatrix::zeros(D * D, D * D);
     for column in 0..D * D {

@@ -5,6 +5,8 @@ mod collisions;
 #[path = "../common/mod.rs"]
 mod common;
 mod contract;
+mod failure;
+mod folded;
 mod rest;
 mod scene;
 mod sliding;
