@@ -32,6 +32,7 @@ fn what_cannot_be_run_is_refused_with_the_flag_and_a_remedy() {
         ("--spacing", "inf", "metres"),
         ("--spacing", "0.05", "give at most 3e-2 m"),
         ("--spacing", "1e-9", "give at least"),
+        ("--spacing", "0.0225", "the nearest are 2.222e-2 and 2.308e-2"),
         ("--radius", "1", "e.g. 4"),
         ("--radius", "nan", "e.g. 4"),
         ("--end-time", "0", "seconds"),
@@ -184,6 +185,20 @@ fn quiet_prints_nothing_and_without_fields_there_are_none() {
     let plots =
         ["energy.png", "front.png", "pressure_1.png", "pressure_2.png", "pressure_3.png", "pressure_4.png"];
     assert_eq!(left, [&plots[..], &["probes.csv", "run.log", "summary.json"]].concat());
+}
+
+/// What was not asked for is not said to lie behind the end of the run.
+#[test]
+fn results_of_books_that_are_switched_off_are_told_so() {
+    let dir = fresh("no-books");
+    run(&dir, &["--end-time", "0.005", "--quiet", "--no-fields", "--no-books"]);
+    let summary = Summary::read(dir.join("summary.json")).unwrap();
+    for name in ["energy_closure", "energy_by_viscosity", "energy_by_walls"] {
+        assert!(!summary.metrics.contains_key(name));
+        let note = format!("{name}: switched off by --no-books");
+        assert!(summary.notes.contains(&note), "{:?}", summary.notes);
+    }
+    assert!(summary.notes.contains(&"front_rms: the run ended before".to_owned()), "{:?}", summary.notes);
 }
 
 #[test]

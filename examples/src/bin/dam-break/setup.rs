@@ -143,7 +143,7 @@ impl<T: Real, K: Kernel<T>> DamBreak<T, K> {
         let mut boundary = Boundary::default();
         // A quarter of a particle each.
         let volume = T::of(WALL_SPACING * WALL_SPACING);
-        let depth = settings.radius * l0;
+        let depth = wall_depth(settings);
         let slip = match settings.walls {
             Walls::Law => Slip::Law,
             Walls::Free => Slip::Free,
@@ -201,6 +201,17 @@ fn pressure_when_released(x: f64, y: f64) -> f64 {
     DENSITY * GRAVITY * released_column(HEIGHT, LENGTH, x, y)
 }
 
+/// Thickness of the walls \[m\]: whole layers of points, at least as deep as the effective radius. With less than a whole layer left over the
+/// rows, which are counted from the far side, would begin before or behind the surface they stand for.
+pub(crate) fn wall_depth(settings: &Settings) -> f64 {
+    layers_of(settings.radius) * settings.spacing
+}
+
+/// The radius in spacings, rounded up to whole layers.
+fn layers_of(radius: f64) -> f64 {
+    (radius / WALL_SPACING).ceil() * WALL_SPACING
+}
+
 /// Bed and back wall: layers of points as deep as the effective radius.
 fn tank<T: Real>(l0: f64, depth: f64) -> Vec<Vector<T, 2>> {
     let spacing = WALL_SPACING * l0;
@@ -239,6 +250,26 @@ fn fill<T: Real>(lower: [f64; 2], upper: [f64; 2], l0: f64) -> Vec<Vector<T, 2>>
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Rows at half a spacing begin a quarter of the water's spacing behind the surface, whatever the radius.
+    #[test]
+    fn bed_and_back_wall_begin_a_quarter_of_a_spacing_behind_their_surface() {
+        let l0 = 0.02;
+        for (radius, layers) in [(3.0, 6.0), (3.2, 7.0), (3.25, 7.0), (3.5, 7.0), (3.75, 8.0), (4.0, 8.0)] {
+            let depth = layers_of(radius) * l0;
+            assert_eq!(depth, layers * WALL_SPACING * l0);
+            let largest = |axis: usize, points: Vec<Vector<f64, 2>>| {
+                points.iter().map(|r| r[axis]).fold(f64::NEG_INFINITY, f64::max) / l0
+            };
+            let below = |upper: [f64; 2]| {
+                let inside = |r: &Vector<f64, 2>| r[0] < upper[0] && r[1] < upper[1];
+                tank::<f64>(l0, depth).into_iter().filter(inside).collect::<Vec<_>>()
+            };
+            // The bed is what lies below y = 0; of the back wall, what lies above the bed behind x = 0.
+            assert!((largest(1, below([TANK, l0])) + 0.25).abs() < 1e-9, "bed with radius {radius}");
+            assert!((largest(0, below([l0, WALL_HEIGHT])) + 0.25).abs() < 1e-9, "wall with radius {radius}");
+        }
+    }
 
     #[test]
     fn the_unit_of_time_is_the_root_it_stands_for() {
