@@ -59,6 +59,8 @@ pub struct Boundary<T: Real, const D: usize> {
     /// Force of the fluid on the point \[N\], of the reactive points only.
     pub force: Vec<Vector<T, D>>,
     pub(crate) reactive: Range<usize>,
+    /// A wall came after a structure and was left out.
+    pub(crate) too_late: bool,
 }
 
 impl<T: Real, const D: usize> Default for Boundary<T, D> {
@@ -71,6 +73,7 @@ impl<T: Real, const D: usize> Default for Boundary<T, D> {
             shear: Vec::new(),
             force: Vec::new(),
             reactive: 0..0,
+            too_late: false,
         }
     }
 }
@@ -94,17 +97,16 @@ impl<T: Real, const D: usize> Boundary<T, D> {
     /// Adds the points of a wall that is moved from outside or not at all; each has the volume of
     /// a fluid particle. Walls come before structures.
     ///
-    /// Returns the range of the new points, or `None` if a structure has been added before: nothing has been added then.
-    #[must_use = "`None` means that no wall has been added"]
+    /// Returns the range of the new points, or `None` if a structure has been added before: nothing has been added then, and the fluid refuses to begin or to go on.
     pub fn add_wall(&mut self, points: &[Vector<T, D>], slip: Slip) -> Option<Range<usize>> {
         self.add_fine_wall(points, T::one(), slip)
     }
 
     /// As [`add_wall`](Self::add_wall), of points that lie closer than the particles of the fluid:
     /// each has the `volume` of this many of them, `1/2^D` at half the spacing. A volume that is not positive is refused by the fluid.
-    #[must_use = "`None` means that no wall has been added"]
     pub fn add_fine_wall(&mut self, points: &[Vector<T, D>], volume: T, slip: Slip) -> Option<Range<usize>> {
         if !self.reactive.is_empty() {
+            self.too_late = true;
             return None;
         }
         let range = self.extend(points, slip);

@@ -60,7 +60,7 @@ pub(crate) fn check_viscosity<T: Real>(value: T) -> Result<(), FluidError> {
 }
 
 impl<T: Real, const D: usize> Boundary<T, D> {
-    /// Refuses fields of another length than the positions.
+    /// Refuses fields of another length than the positions, and to be without a wall that was to be added.
     pub(crate) fn check_lengths(&self) -> Result<(), FluidError> {
         let points = self.position.len();
         for (field, len) in [
@@ -76,7 +76,7 @@ impl<T: Real, const D: usize> Boundary<T, D> {
                 return Err(FluidError::BoundaryLength { field, len, points });
             }
         }
-        Ok(())
+        if self.too_late { Err(FluidError::WallTooLate) } else { Ok(()) }
     }
 
     /// Refuses points that are nowhere or show the fluid nothing, or something that is no number.

@@ -58,6 +58,9 @@ pub enum FluidError {
         /// Number of points.
         points: usize,
     },
+    /// A wall was added behind a structure.
+    #[error("a wall was added after a structure and was left out: add walls first, then structures")]
+    WallTooLate,
     /// A boundary point is nothing a fluid could feel.
     #[error("boundary point {point} has the {quantity} {value}: {hint}")]
     BoundaryPoint {

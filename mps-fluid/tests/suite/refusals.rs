@@ -28,7 +28,7 @@ fn a_boundary_with_fields_of_different_length_is_refused() {
     type Spoil = fn(&mut Boundary<f64, 2>);
     let cases: [(&str, Spoil); 6] = [
         ("volume", |b| {
-            let _ = b.add_structure(&[Vector::zeros(); 3], [1.0].into_iter(), Slip::Free);
+            b.add_structure(&[Vector::zeros(); 3], [1.0].into_iter(), Slip::Free);
         }),
         ("velocity", |b| b.position.push(Vector::zeros())),
         ("velocity", |b| b.velocity.clear()),
@@ -50,6 +50,22 @@ fn a_boundary_with_fields_of_different_length_is_refused() {
         spoil(fluid.boundary_mut());
         assert_eq!(fluid.begin_step(&Parallel::serial()).unwrap_err().to_string(), refused.to_string());
     }
+}
+
+#[test]
+fn a_wall_behind_a_structure_is_not_left_out_without_a_word() {
+    let late = |boundary: &mut Boundary<f64, 2>| {
+        boundary.add_structure(&[Vector::new(0.2, 0.2)], [1.0].into_iter(), Slip::Free);
+        let before = boundary.len();
+        assert_eq!(boundary.add_wall(&[Vector::new(0.3, 0.2)], Slip::Free), None);
+        assert_eq!(boundary.len(), before);
+    };
+    let mut boundary = walls();
+    late(&mut boundary);
+    assert!(matches!(water(boundary), Err(FluidError::WallTooLate)));
+    let mut fluid = water(walls()).unwrap();
+    late(fluid.boundary_mut());
+    assert!(matches!(fluid.begin_step(&Parallel::serial()), Err(FluidError::WallTooLate)));
 }
 
 #[test]
