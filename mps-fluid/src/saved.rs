@@ -89,7 +89,7 @@ impl Limit {
 
 impl<T: Real, const D: usize> Boundary<T, D> {
     fn transfer(&mut self, transfer: &mut Transfer<'_>) {
-        let Self { position, velocity, acceleration, volume, shear: _, force, reactive } = self;
+        let Self { position, velocity, acceleration, volume, shear: _, force, reactive, too_late: _ } = self;
         transfer.array("position", position);
         transfer.array("velocity", velocity);
         transfer.array("acceleration", acceleration);

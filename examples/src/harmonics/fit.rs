@@ -21,7 +21,9 @@ pub(super) fn fitted(time: &[f64], value: &[f64], frequency: f64) -> Option<Harm
         right += shape * *v;
     }
     let sizes = matrix.symmetric_eigenvalues();
-    if !(sizes.min() > LEAST * sizes.max()) {
+    // Asked this way NaN is none either.
+    let is_told = sizes.min() > LEAST * sizes.max();
+    if !is_told {
         return None;
     }
     let found = matrix.lu().solve(&right)?;

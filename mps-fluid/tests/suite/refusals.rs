@@ -55,9 +55,9 @@ fn a_boundary_with_fields_of_different_length_is_refused() {
 #[test]
 fn a_wall_behind_a_structure_is_not_left_out_without_a_word() {
     let late = |boundary: &mut Boundary<f64, 2>| {
-        boundary.add_structure(&[Vector::new(0.2, 0.2)], [1.0].into_iter(), Slip::Free);
+        boundary.add_structure(&[Vector::from([0.2, 0.2])], [1.0].into_iter(), Slip::Free);
         let before = boundary.len();
-        assert_eq!(boundary.add_wall(&[Vector::new(0.3, 0.2)], Slip::Free), None);
+        assert_eq!(boundary.add_wall(&[Vector::from([0.3, 0.2])], Slip::Free), None);
         assert_eq!(boundary.len(), before);
     };
     let mut boundary = walls();
