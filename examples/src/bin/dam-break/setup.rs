@@ -258,16 +258,14 @@ mod tests {
         for (radius, layers) in [(3.0, 6.0), (3.2, 7.0), (3.25, 7.0), (3.5, 7.0), (3.75, 8.0), (4.0, 8.0)] {
             let depth = layers_of(radius) * l0;
             assert_eq!(depth, layers * WALL_SPACING * l0);
-            let largest = |axis: usize, points: Vec<Vector<f64, 2>>| {
-                points.iter().map(|r| r[axis]).fold(f64::NEG_INFINITY, f64::max) / l0
+            let points = tank::<f64>(l0, depth);
+            // The bed is what lies under the water, the back wall what stands above the bed.
+            let largest = |axis: usize, beside: usize| {
+                let inside = points.iter().filter(|r| r[beside] > l0);
+                inside.map(|r| r[axis]).fold(f64::NEG_INFINITY, f64::max) / l0
             };
-            let below = |upper: [f64; 2]| {
-                let inside = |r: &Vector<f64, 2>| r[0] < upper[0] && r[1] < upper[1];
-                tank::<f64>(l0, depth).into_iter().filter(inside).collect::<Vec<_>>()
-            };
-            // The bed is what lies below y = 0; of the back wall, what lies above the bed behind x = 0.
-            assert!((largest(1, below([TANK, l0])) + 0.25).abs() < 1e-9, "bed with radius {radius}");
-            assert!((largest(0, below([l0, WALL_HEIGHT])) + 0.25).abs() < 1e-9, "wall with radius {radius}");
+            assert!((largest(1, 0) + 0.25).abs() < 1e-9, "bed with radius {radius}: {}", largest(1, 0));
+            assert!((largest(0, 1) + 0.25).abs() < 1e-9, "wall with radius {radius}: {}", largest(0, 1));
         }
     }
 

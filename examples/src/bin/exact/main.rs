@@ -42,11 +42,11 @@ fn run(options: &Options) -> Result<(), Failure> {
 
 /// Pictures of all problems: those of another one would be taken for results of the summary beside them.
 fn pictures(problems: &[Box<dyn Case>]) -> Vec<String> {
-    let of = |problem: &Box<dyn Case>| {
+    let of = |problem: &dyn Case| {
         let name = problem.name();
         problem.plots().into_iter().map(move |plot| format!("{name}-{}.png", plot.name))
     };
-    problems.iter().flat_map(of).collect()
+    problems.iter().flat_map(|problem| of(problem.as_ref())).collect()
 }
 
 /// Settings, cost and errors.

@@ -61,7 +61,7 @@ mod tests {
         };
         let (old, new) = (made("2026-11-26", "A, 2 cores"), made("2026-11-28", "A, 2 cores"));
         let told = |rows: &[Row]| Origin::of(rows).to_string();
-        assert_eq!(told(&[old.clone()]), "2026-11-26, A, 2 cores");
+        assert_eq!(told(core::slice::from_ref(&old)), "2026-11-26, A, 2 cores");
         assert_eq!(told(&[new.clone(), old.clone()]), "2026-11-26 to 2026-11-28, A, 2 cores");
         let elsewhere = told(&[old.clone(), made("2026-11-26", "B, 8 cores"), row(1.0, None)]);
         assert!(elsewhere.contains("on 2 machines, whose seconds do not compare**: A, 2 cores; B, 8 cores"));
