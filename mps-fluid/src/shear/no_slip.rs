@@ -74,9 +74,16 @@ impl<T: Real, const D: usize, K: Kernel<T>, P: Domain<T, D>> Seen<'_, T, D, K, P
         [profile(self.ahead(toward)), behind.map_or(Vector::zeros(), |behind| profile(self.ahead(behind)))]
     }
 
-    /// The surface by those points that are straight ahead: others may belong to another wall.
+    /// The surface by those points that are straight ahead: others may belong to another wall. In a sharp corner nobody is, and all count that are
+    /// not behind.
     fn ahead(&self, toward: Vector<T, D>) -> Surface<T, D> {
-        self.surface(toward, |along, pair| along >= T::of(AHEAD) * pair.distance())
+        let mut some = false;
+        let surface = self.surface(toward, |along, pair| {
+            let counts = along >= T::of(AHEAD) * pair.distance();
+            some |= counts;
+            counts
+        });
+        if some { surface } else { self.surface(toward, |along, _| along > T::zero()) }
     }
 
     /// Whether there is a wall on either side, and not one or a corner.
