@@ -27,10 +27,11 @@ fn the_raft_of_another_simulator_rests_where_it_displaces_its_own_mass() {
 /// A symmetric raft does not turn whatever the torque is: this one is let go inclined, to either side.
 #[test]
 fn an_inclined_raft_rights_itself() {
-    for (name, lean) in [("embed-left", 0.1), ("embed-right", -0.1)] {
+    for (name, lean) in [("embed-left", 0.1_f64), ("embed-right", -0.1)] {
         let out = fresh("embed-lean", name);
         let angle = lean.to_string();
-        let arguments = ["--spacing", "0.02", "--end-time", "4", "--lean", &angle, "--quiet", "--no-fields"];
+        let arguments =
+            ["--spacing", "0.02", "--end-time", "4", "--lean", angle.as_str(), "--quiet", "--no-fields"];
         let output = execute(EMBED, &out, &arguments);
         assert!(output.status.success(), "{}", words(&output.stderr));
         let table = CsvTable::read(out.join("probes.csv")).unwrap();
@@ -40,7 +41,7 @@ fn an_inclined_raft_rights_itself() {
         assert!((share[0] - 1.0).abs() < 1e-6, "it begins at {} rad", roll[0]);
         let largest = share.iter().fold(0.0_f64, |most, share| most.max(share.abs()));
         assert!(largest < 1.05, "{name}: it turns over, by {largest} times what it leaned");
-        // A quarter of its period of about a second, and what the water takes of the swing.
+        // A quarter of its period of about a second: 0.24 s.
         let upright = time.iter().zip(&share).find(|(_, share)| **share < 0.1).map(|(time, _)| *time);
         assert!(upright.is_some_and(|time| time < 0.6), "{name}: upright after {upright:?} s");
         let late: Vec<_> = share[share.len() * 4 / 5..].to_vec();

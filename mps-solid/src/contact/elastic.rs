@@ -15,7 +15,7 @@ pub struct Shape<'a, T: Real, const D: usize> {
     pub volume: &'a [T],
     /// Mass of each particle \[kg, per metre of depth in 2D\].
     pub mass: &'a [T],
-    /// Distance of neighbouring particles along each axis \[m\], within a tenth the same; the surface lies half of their mean
+    /// Distance of neighbouring particles along each axis \[m\], within an eighth the same; the surface lies half of their mean
     /// outside the outermost particles.
     pub spacing: Vector<T, D>,
     /// `lambda + 2 mu` \[Pa\], the modulus under compression without room to the sides.

@@ -6,8 +6,8 @@ use mps_kernel::{Real, Vector};
 use mps_neighbors::Parallel;
 
 /// Largest ratio of the spacings along two axes. The surface is taken half a mean spacing outside of the outermost particles, on every side:
-/// with this it is off by a fortieth of a spacing.
-const UNEVEN: f64 = 1.1;
+/// with this it is off by a thirtieth of a spacing.
+const UNEVEN: f64 = 1.125;
 
 #[derive(Clone, Debug)]
 pub(crate) struct Member<T: Real, const D: usize> {

@@ -32,7 +32,7 @@
 //! is joined comes near only where a surface is pressed to less than a quarter of its length.
 //!
 //! **Surfaces** are taken half a spacing outside the outermost particles. A face that was clamped or slides has its particles *on* it, so it must not be
-//! touched: [`body::wall`](crate::body::wall) makes a rigid wall that may. Spacings must not differ by more than a tenth from axis to axis, and bodies must not
+//! touched: [`body::wall`](crate::body::wall) makes a rigid wall that may. Spacings must not differ by more than an eighth from axis to axis, and bodies must not
 //! be drawn into each other.
 //!
 //! **Step.** The largest eigenvalue of contact between plane surfaces is `K (1/(rho_a l_a) + 1/(rho_b l_b))` (surfaces that move as a whole,
@@ -75,6 +75,7 @@ mod elastic;
 mod error;
 mod field;
 mod forces;
+mod limit;
 mod member;
 mod pairing;
 mod step;
@@ -118,7 +119,7 @@ impl<T: Real, const D: usize> Contact<T, D> {
     ///
     /// # Errors
     /// If a field has another length than the others, a number is not positive and finite, or the spacings along the axes
-    /// differ by more than a tenth.
+    /// differ by more than an eighth.
     pub fn add(&mut self, shape: &Shape<'_, T, D>) -> Result<usize, ContactError> {
         let body = self.members.len();
         self.members.push(Member::new(shape, body, self.config.self_contact)?);

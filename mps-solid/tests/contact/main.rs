@@ -7,6 +7,7 @@ mod common;
 mod contract;
 mod failure;
 mod folded;
+mod refusal;
 mod rest;
 mod scene;
 mod sliding;
