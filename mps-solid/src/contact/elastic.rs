@@ -2,13 +2,15 @@
 
 use crate::{ConstitutiveModel, Solid, SolidEnergy, SolidError};
 use mps_kernel::{Kernel, Real, Vector};
-use mps_neighbors::Parallel;
+use mps_neighbors::{FrozenPairs, Parallel};
 
 /// What of a body never changes, as far as contact is concerned.
 #[derive(Clone, Copy, Debug)]
 pub struct Shape<'a, T: Real, const D: usize> {
-    /// Positions in the undeformed body \[m\]; near ones do not feel each other.
+    /// Positions in the undeformed body \[m\].
     pub reference: &'a [Vector<T, D>],
+    /// Reference pairs: particles that a few of them join do not feel each other, nor do those inside.
+    pub pairs: &'a FrozenPairs<T, D>,
     /// Volume each particle stands for \[m^D\].
     pub volume: &'a [T],
     /// Mass of each particle \[kg, per metre of depth in 2D\].
@@ -65,6 +67,7 @@ where
         let product = self.spacing().iter().fold(T::one(), |product, l| product * *l);
         Shape {
             reference: self.particles().reference_positions(),
+            pairs: self.pairs(),
             volume: self.volumes(),
             mass: self.masses(),
             spacing: product.powf(T::of(1.0 / D as f64)),

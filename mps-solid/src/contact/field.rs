@@ -47,10 +47,10 @@ pub(crate) struct Facing<T> {
 }
 
 impl<T: Real> Facing<T> {
-    /// The body with the first of the `spacings`, from a particle of the other one.
-    pub(crate) fn new<const D: usize>(spacings: [f64; 2]) -> Self {
+    /// The body with the first of the `spacings`, from a particle of the other one; `deep` layers of it are seen.
+    pub(crate) fn new<const D: usize>(spacings: [f64; 2], deep: usize) -> Self {
         let (touch, radius) = (contact_distance(spacings), radius::<D>(spacings));
-        let field = |g: f64| half_space::<D>(spacings[0], radius, g);
+        let field = |g: f64| half_space::<D>(spacings[0], radius, g, deep);
         let (threshold, slope) = field(touch);
         let depth = |g: f64| (field(g).0 - threshold) / slope;
         // Pressure over the stiffness, from the energy depth^2/2.
@@ -83,11 +83,12 @@ impl<T: Real> Facing<T> {
     }
 }
 
-/// `c(g)` and `-dc/dg` of the module.
-fn half_space<const D: usize>(spacing: f64, radius: f64, g: f64) -> (f64, f64) {
+/// `c(g)` and `-dc/dg` of the module, of `deep` layers at most.
+fn half_space<const D: usize>(spacing: f64, radius: f64, g: f64, deep: usize) -> (f64, f64) {
     let power = 3.0 + 0.5 * (D as f64 - 1.0);
     let factor = spacing * INTEGRAL[D - 1] / radius.powi(6);
     let layers = ((radius - g) / spacing).ceil().max(1.0) as usize;
+    let layers = layers.min(deep);
     let (mut value, mut slope) = (0.0, 0.0);
     for m in 0..layers {
         let away = g + spacing * m as f64;
@@ -121,7 +122,7 @@ mod tests {
     /// Largest variation of the height of the surface along it over the spacing, with the overlap `depth`.
     fn corrugation<const D: usize>(depth: f64) -> f64 {
         let radius = radius::<D>([1.0, 1.0]);
-        let (mean, slope) = half_space::<D>(1.0, radius, 1.0 - depth);
+        let (mean, slope) = half_space::<D>(1.0, radius, 1.0 - depth, usize::MAX);
         let mut worst = 0.0_f64;
         for a in 0..=10 {
             for b in 0..=10 {
@@ -147,10 +148,12 @@ mod tests {
     #[test]
     fn stiffness_hardly_depends_on_the_pressure() {
         for spacings in [[1.0, 1.0], [1.0, 2.0], [2.0, 1.0], [4.0, 1.0]] {
-            let plane = Facing::<f64>::new::<2>(spacings);
-            let space = Facing::<f64>::new::<3>(spacings);
-            eprintln!("{spacings:?}: {plane:?} {space:?}");
-            assert!(plane.stiffening < 2.0 && space.stiffening < 2.0, "{spacings:?} {plane:?} {space:?}");
+            for deep in [1, usize::MAX] {
+                let plane = Facing::<f64>::new::<2>(spacings, deep);
+                let space = Facing::<f64>::new::<3>(spacings, deep);
+                eprintln!("{spacings:?}: {plane:?} {space:?}");
+                assert!(plane.stiffening < 2.0 && space.stiffening < 2.0, "{spacings:?} {plane:?} {space:?}");
+            }
         }
     }
 }

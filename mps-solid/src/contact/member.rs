@@ -1,12 +1,14 @@
 //! What contact keeps of a body.
 
+use super::bonds::Bonds;
 use super::{ContactError, Shape};
 use mps_kernel::{Real, Vector};
 use mps_neighbors::Parallel;
 
 #[derive(Clone, Debug)]
 pub(crate) struct Member<T: Real, const D: usize> {
-    pub(crate) reference: Vec<Vector<T, D>>,
+    /// If it may meet itself.
+    pub(crate) bonds: Option<Bonds>,
     pub(crate) volume: Vec<T>,
     pub(crate) spacing: T,
     pub(crate) modulus: T,
@@ -21,8 +23,8 @@ pub(crate) struct Member<T: Real, const D: usize> {
 }
 
 impl<T: Real, const D: usize> Member<T, D> {
-    /// Copies `shape` of body number `body`.
-    pub(crate) fn new(shape: &Shape<'_, T, D>, body: usize) -> Result<Self, ContactError> {
+    /// Copies `shape` of body number `body`, which may meet itself if `folds`.
+    pub(crate) fn new(shape: &Shape<'_, T, D>, body: usize, folds: bool) -> Result<Self, ContactError> {
         let particles = shape.reference.len();
         for (name, got) in [("volume", shape.volume.len()), ("mass", shape.mass.len())] {
             if got != particles {
@@ -48,7 +50,7 @@ impl<T: Real, const D: usize> Member<T, D> {
             density = Some(density.map_or(this, |least: T| least.min(this)));
         }
         Ok(Self {
-            reference: shape.reference.to_vec(),
+            bonds: if folds { Some(Bonds::new(shape, body)?) } else { None },
             volume: shape.volume.to_vec(),
             spacing: shape.spacing,
             modulus: shape.modulus,

@@ -60,6 +60,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod bonds;
 mod candidates;
 mod config;
 mod elastic;
@@ -111,7 +112,7 @@ impl<T: Real, const D: usize> Contact<T, D> {
     /// If a field has another length than the others or a number is not positive and finite.
     pub fn add(&mut self, shape: &Shape<'_, T, D>) -> Result<usize, ContactError> {
         let body = self.members.len();
-        self.members.push(Member::new(shape, body)?);
+        self.members.push(Member::new(shape, body, self.config.self_contact)?);
         let first = if self.config.self_contact { 0 } else { 1 };
         for other in (first..=body).map(|back| body - back) {
             self.pairings.push(Pairing::new(&self.members, [other, body], &self.config));

@@ -7,10 +7,6 @@ use super::{ContactConfig, ContactError};
 use mps_kernel::{Real, Vector};
 use mps_neighbors::{Cells, Open, Parallel, Rows};
 
-/// Spacings beyond the reach within which particles of one body do not feel each other. The surfaces of a body
-/// that is compressed to less than half its length would otherwise be found inside it.
-const NEIGHBORS: f64 = 1.0;
-
 /// One body of a pairing, looking at the other.
 #[derive(Clone, Debug)]
 pub(crate) struct Side<T: Real, const D: usize> {
@@ -34,9 +30,12 @@ pub(crate) struct Pairing<T: Real, const D: usize> {
     pub(crate) stiffness: T,
     /// Largest eigenvalue of contact over the masses \[1/s^2\].
     pub(crate) rate2: T,
+    /// Distance of the outermost particles where surfaces touch \[m\].
+    pub(crate) touch: T,
+    /// Distance within which particles count as near \[m\].
+    near: T,
+    /// Distance to which candidates are searched \[m\]: until the next search nobody comes near who is not among them.
     reach: T,
-    /// Squared reference distance up to which particles of one body are neighbours \[m^2\].
-    neighbors2: T,
     watch: Watch<T, D>,
     cells: Cells<T, D>,
     rows: [Rows; 2],
@@ -53,9 +52,11 @@ impl<T: Real, const D: usize> Pairing<T, D> {
         let radius = T::of(radius::<D>(spacings));
         let half = T::of(0.5);
         let stiffness = T::one() / (half * one.spacing / one.modulus + half * other.spacing / other.modulus);
+        // Of itself a body sees the surface only.
+        let deep = if a == b { 1 } else { usize::MAX };
         let side = |body: usize, [seen, from]: [f64; 2]| Side {
             body,
-            facing: Facing::new::<D>([seen, from]),
+            facing: Facing::new::<D>([seen, from], deep),
             candidates: Candidates::default(),
             push: vec![T::zero(); members[body].volume.len()],
             found: Vec::new(),
@@ -68,14 +69,14 @@ impl<T: Real, const D: usize> Pairing<T, D> {
         let stiffening = sides.iter().fold(1.0, |most: f64, side| most.max(side.facing.stiffening));
         let inertia = T::one() / (one.density * one.spacing) + T::one() / (other.density * other.spacing);
         let touch = T::of(contact_distance(spacings));
-        let neighbors = radius + touch * T::of(NEIGHBORS);
         let skin = config.skin * touch;
         Self {
             sides,
             stiffness,
             rate2: stiffness * inertia * T::of(stiffening),
-            reach: radius + skin,
-            neighbors2: neighbors * neighbors,
+            touch,
+            near: radius + skin * half,
+            reach: radius + skin * T::of(1.5),
             watch: Watch::new(skin),
             cells: Cells::new(),
             rows: [Rows::default(), Rows::default()],
@@ -144,9 +145,9 @@ impl<T: Real, const D: usize> Pairing<T, D> {
             other.candidates.fill(back, |_, _| true);
         } else {
             let side = &mut self.sides[0];
-            let (reference, neighbors2) = (&members[side.body].reference, self.neighbors2);
+            let bonds = members[side.body].bonds.as_ref();
             there.build_within(parallel, &Open, &self.cells, positions[0], self.reach)?;
-            side.candidates.fill(there, |i, j| (reference[i] - reference[j]).norm_squared() > neighbors2);
+            side.candidates.fill(there, |i, j| bonds.is_some_and(|bonds| bonds.can_meet(i, j)));
         }
         Ok(())
     }

@@ -5,6 +5,7 @@ mod collisions;
 #[path = "../common/mod.rs"]
 mod common;
 mod contract;
+mod folded;
 mod rest;
 mod scene;
 mod sliding;
