@@ -15,8 +15,9 @@ pub struct Shape<'a, T: Real, const D: usize> {
     pub volume: &'a [T],
     /// Mass of each particle \[kg, per metre of depth in 2D\].
     pub mass: &'a [T],
-    /// Distance of neighbouring particles \[m\]; the surface lies half of it outside the outermost ones.
-    pub spacing: T,
+    /// Distance of neighbouring particles along each axis \[m\], within an eighth the same; the surface lies half of their mean
+    /// outside the outermost particles.
+    pub spacing: Vector<T, D>,
     /// `lambda + 2 mu` \[Pa\], the modulus under compression without room to the sides.
     pub modulus: T,
 }
@@ -63,14 +64,12 @@ where
 {
     fn shape(&self) -> Shape<'_, T, D> {
         let material = self.material();
-        // As for the reference pairs: the mean of spacings that differ a little.
-        let product = self.spacing().iter().fold(T::one(), |product, l| product * *l);
         Shape {
             reference: self.particles().reference_positions(),
             pairs: self.pairs(),
             volume: self.volumes(),
             mass: self.masses(),
-            spacing: product.powf(T::of(1.0 / D as f64)),
+            spacing: *self.spacing(),
             modulus: material.first_lame_modulus() + material.shear_modulus() * T::of(2.0),
         }
     }

@@ -27,6 +27,18 @@ pub enum ContactError {
         /// The value.
         value: f64,
     },
+    /// The surface of a body is not where contact takes it.
+    #[error(
+        "the spacings of body {body} along the axes differ by a factor of {ratio}, contact takes {largest} at most: build the body with numbers of particles that make its cells more nearly square (body::counts does)"
+    )]
+    Uneven {
+        /// Number of the body.
+        body: usize,
+        /// Largest spacing over the smallest.
+        ratio: f64,
+        /// What is allowed.
+        largest: f64,
+    },
     /// Other bodies are moved than were put into contact.
     #[error(
         "{got} bodies were given, but {expected} were put into contact: hand over all, in the same order"

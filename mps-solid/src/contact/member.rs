@@ -5,6 +5,10 @@ use super::{ContactError, Shape};
 use mps_kernel::{Real, Vector};
 use mps_neighbors::Parallel;
 
+/// Largest ratio of the spacings along two axes. The surface is taken half a mean spacing outside of the outermost particles, on every side:
+/// with this it is off by a thirtieth of a spacing.
+const UNEVEN: f64 = 1.125;
+
 #[derive(Clone, Debug)]
 pub(crate) struct Member<T: Real, const D: usize> {
     /// If it may meet itself.
@@ -40,7 +44,11 @@ impl<T: Real, const D: usize> Member<T, D> {
                 Err(ContactError::Shape { body, name, value })
             }
         };
-        check("spacing", shape.spacing)?;
+        shape.spacing.iter().try_for_each(|l| check("spacing", *l))?;
+        let ratio = (shape.spacing.max() / shape.spacing.min()).to_double();
+        if ratio > UNEVEN {
+            return Err(ContactError::Uneven { body, ratio, largest: UNEVEN });
+        }
         check("modulus", shape.modulus)?;
         let mut density = None;
         for (volume, mass) in shape.volume.iter().zip(shape.mass) {
@@ -52,7 +60,8 @@ impl<T: Real, const D: usize> Member<T, D> {
         Ok(Self {
             bonds: if folds { Some(Bonds::new(shape, body)?) } else { None },
             volume: shape.volume.to_vec(),
-            spacing: shape.spacing,
+            // As for the reference pairs.
+            spacing: shape.spacing.iter().fold(T::one(), |all, l| all * *l).powf(T::of(1.0 / D as f64)),
             modulus: shape.modulus,
             density: density.unwrap_or(T::one()),
             force: vec![Vector::zeros(); particles],

@@ -109,7 +109,8 @@ impl<T: Real, const D: usize> Contact<T, D> {
     /// Adds a body that may touch itself and all that were added before. Returns its number.
     ///
     /// # Errors
-    /// If a field has another length than the others or a number is not positive and finite.
+    /// If a field has another length than the others, a number is not positive and finite, or the spacings along the axes
+    /// differ by more than an eighth.
     pub fn add(&mut self, shape: &Shape<'_, T, D>) -> Result<usize, ContactError> {
         let body = self.members.len();
         self.members.push(Member::new(shape, body, self.config.self_contact)?);
