@@ -34,6 +34,7 @@ where
             stale,
             inner: _,
             before: _,
+            remembered: _,
             next: _,
         } = self;
         transfer.within("particles", |transfer| transfer.fixed_particles(particles));

@@ -42,6 +42,7 @@ where
     // Working space of a step.
     pub(crate) inner: Vec<InnerStress<T, D>>,
     pub(crate) before: Before<T, D, M::History>,
+    pub(crate) remembered: Before<T, D, M::History>,
     pub(crate) next: Vec<Vector<T, D>>,
 }
 
@@ -70,8 +71,8 @@ where
     ) -> Result<Self, SolidError> {
         config.validate()?;
         let pairs = prepare(&mut particles, &spacing, density, &kernel, config.radius_ratio)?;
-        let len = particles.len();
         check_material(&material, density)?;
+        let len = particles.len();
         let correction = corrections(&particles, &pairs)?;
         let kappa = bending_coefficient(&material, &kernel, &spacing, config.radius_ratio)?
             * config.bending_correction;
@@ -87,6 +88,7 @@ where
             placements: Vec::new(),
             inner: vec![no_stress; len],
             before: Before::with_room(len),
+            remembered: Before::with_room(0),
             next: particles.position.clone(),
             stale: true,
             particles,

@@ -52,6 +52,14 @@ pub trait Elastic<T: Real, const D: usize>: Send + Sync {
         dt: T,
     ) -> Result<(), SolidError>;
 
+    /// Keeps the present state, so that [`go_back`](Self::go_back) can bring it back: positions, velocities, time and all that the
+    /// next step depends on. Called once in a call of [`Contact::advance`](super::Contact::advance). A body that leaves this and `go_back` as they are, doing
+    /// nothing, stays where an error has found it.
+    fn remember(&mut self) {}
+
+    /// Brings back the state that was [remembered](Self::remember) last.
+    fn go_back(&mut self, _parallel: &Parallel) {}
+
     /// Its energy without contact; `gravity` \[m/s^2\] is the acceleration of the potential.
     fn energy(&self, parallel: &Parallel, gravity: &Vector<T, D>) -> SolidEnergy<T>;
 }
@@ -94,6 +102,14 @@ where
         dt: T,
     ) -> Result<(), SolidError> {
         self.advance(parallel, force, gravity, dt, 1)
+    }
+
+    fn remember(&mut self) {
+        self.remember();
+    }
+
+    fn go_back(&mut self, parallel: &Parallel) {
+        self.go_back(parallel);
     }
 
     fn energy(&self, parallel: &Parallel, gravity: &Vector<T, D>) -> SolidEnergy<T> {

@@ -39,6 +39,30 @@ pub enum ContactError {
         /// What is allowed.
         largest: f64,
     },
+    /// A body has no usable step.
+    #[error(
+        "the largest sub-step of body {body} is {value} s: it must be positive and finite; look at its velocities and its material"
+    )]
+    Step {
+        /// Number of the body.
+        body: usize,
+        /// What it gave \[s\].
+        value: f64,
+    },
+    /// Bodies overlap before they have moved.
+    #[error(
+        "bodies {body} and {other} overlap by {overlap} m at the start, {largest} m are allowed: it would be turned into speed; draw them apart (the surface lies half a spacing outside the outermost particles, so a face that was clamped or slides and has its particles on it reaches half a spacing farther than drawn: use body::wall for a rigid wall), or raise ContactConfig::initial_overlap if they come from a saved state under pressure"
+    )]
+    Overlap {
+        /// Number of the one body.
+        body: usize,
+        /// Number of the other (the same one where it meets itself).
+        other: usize,
+        /// Overlap \[m\].
+        overlap: f64,
+        /// What is allowed \[m\].
+        largest: f64,
+    },
     /// Other bodies are moved than were put into contact.
     #[error(
         "{got} bodies were given, but {expected} were put into contact: hand over all, in the same order"
@@ -63,7 +87,7 @@ pub enum ContactError {
     },
     /// The surfaces of two bodies, or of one that is folded, have passed through one another.
     #[error(
-        "particle {particle} of body {body} is {overlap} m deep in body {other} (nearest there: particle {neighbor}), more than the {deepest} m contact can push back from: if the bodies overlap at the start, move them apart; otherwise halve the sub-step (ContactConfig::cfl), then lower the load or the speed: it takes a pressure of about half the modulus lambda + 2 mu"
+        "particle {particle} of body {body} is {overlap} m deep in body {other} (nearest there: particle {neighbor}), more than the {deepest} m contact can push back from: if they overlap at the start, draw them apart (and use body::wall instead of a clamped or sliding face that is touched: its particles lie on it); otherwise the bodies are as they were before Contact::advance was called: call it again with half the sub-step (ContactConfig::cfl), then with a lower load or speed: it takes a pressure of about half the modulus lambda + 2 mu"
     )]
     Passed {
         /// Index of the particle.

@@ -6,9 +6,6 @@ use super::pairing::Pairing;
 use mps_kernel::{Real, Vector};
 use mps_neighbors::Parallel;
 
-/// Energy, deepest overlap, and at which particle with candidates.
-type Deepest<T> = (T, T, usize);
-
 impl<T: Real, const D: usize> Pairing<T, D> {
     /// Overlaps and energy at the current positions.
     pub(crate) fn overlap(
@@ -41,17 +38,14 @@ impl<T: Real, const D: usize> Pairing<T, D> {
                 side.push[i as usize] = found.0;
             }
             let half_slope = T::of(0.5) / facing.over_slope;
-            let found = &side.found;
-            let one = |k: usize| (found[k].0 * found[k].1 * half_slope, found[k].1, k);
-            let (energy, overlap, at) = parallel.fold(
-                found.len(),
-                (T::zero(), T::zero(), 0),
-                &one,
-                &|a: Deepest<T>, b: Deepest<T>| {
-                    let (overlap, at) = if b.1 > a.1 { (b.1, b.2) } else { (a.1, a.2) };
-                    (a.0 + b.0, overlap, at)
-                },
-            );
+            // One after the other: candidates that are too far to matter must not change the order of the sum.
+            let (mut energy, mut overlap, mut at) = (T::zero(), T::zero(), 0);
+            for (k, &(push, depth)) in side.found.iter().enumerate() {
+                energy += push * depth * half_slope;
+                if depth > overlap {
+                    (overlap, at) = (depth, k);
+                }
+            }
             self.energy += energy;
             self.overlap = self.overlap.max(overlap);
             if overlap > facing.deepest {

@@ -27,6 +27,14 @@
 //! **Forces** are the exact gradient of `E`. They act along the line between two particles, with opposite signs,
 //! so that both momenta are kept to round-off. There is no friction and no adhesion.
 //!
+//! **Itself** a body feels where particles of its surface meet that no way of four reference pairs or fewer joins. So the sides of
+//! a narrow slot bear each other, from the third row behind its end on, and no strain brings contact into a body: what
+//! is joined comes near only where a surface is pressed to less than a quarter of its length.
+//!
+//! **Surfaces** are taken half a spacing outside the outermost particles. A face that was clamped or slides has its particles *on* it, so it must not be
+//! touched: [`body::wall`](crate::body::wall) makes a rigid wall that may. Spacings must not differ by more than an eighth from axis to axis, and bodies must not
+//! be drawn into each other.
+//!
 //! **Step.** The largest eigenvalue of contact between plane surfaces is `K (1/(rho_a l_a) + 1/(rho_b l_b))` (surfaces that move as a whole,
 //! against each other), and that of the system is at most the sum of this and of the bodies':
 //! [`Contact::max_step`] is 16 % shorter than without contact in the same material at most.
@@ -67,6 +75,7 @@ mod elastic;
 mod error;
 mod field;
 mod forces;
+mod limit;
 mod member;
 mod pairing;
 mod step;
@@ -89,8 +98,8 @@ pub struct Contact<T: Real, const D: usize> {
     config: ContactConfig<T>,
     members: Vec<Member<T, D>>,
     pairings: Vec<Pairing<T, D>>,
-    /// Whether the candidates have been searched since a body was added.
-    updated: bool,
+    /// How many of the bodies were there when they were moved last.
+    begun: usize,
     /// For bodies that no other force acts on.
     no_force: Vec<Vector<T, D>>,
 }
@@ -103,7 +112,7 @@ impl<T: Real, const D: usize> Contact<T, D> {
     pub fn new(config: ContactConfig<T>) -> Result<Self, ContactError> {
         config.validate()?;
         let (members, pairings, no_force) = (Vec::new(), Vec::new(), Vec::new());
-        Ok(Self { config, members, pairings, updated: false, no_force })
+        Ok(Self { config, members, pairings, begun: 0, no_force })
     }
 
     /// Adds a body that may touch itself and all that were added before. Returns its number.
@@ -120,7 +129,6 @@ impl<T: Real, const D: usize> Contact<T, D> {
         }
         let most = self.no_force.len().max(shape.reference.len());
         self.no_force.resize(most, Vector::zeros());
-        self.updated = false;
         Ok(body)
     }
 
@@ -145,12 +153,11 @@ impl<T: Real, const D: usize> Contact<T, D> {
         for pairing in &mut self.pairings {
             let places = pairing.bodies().map(&positions);
             pairing.search(parallel, &self.members, places)?;
-            if pairing.is_near() {
+            if pairing.has_candidates() {
                 pairing.overlap(parallel, &self.members, places)?;
                 pairing.push(parallel, &mut self.members, places);
             }
         }
-        self.updated = true;
         Ok(())
     }
 

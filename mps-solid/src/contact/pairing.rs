@@ -90,9 +90,22 @@ impl<T: Real, const D: usize> Pairing<T, D> {
         [self.sides[0].body, self.sides[self.sides.len() - 1].body]
     }
 
-    /// Whether anybody may touch before the next search.
-    pub(crate) fn is_near(&self) -> bool {
+    /// Whether there is anybody who might touch.
+    pub(crate) fn has_candidates(&self) -> bool {
         !self.sides[0].candidates.particles().is_empty()
+    }
+
+    /// Whether anybody is near at these positions, for which the candidates were searched. Whoever else is a candidate hangs on
+    /// when that was, and must change nothing: a body that was restored would go on in another way.
+    pub(crate) fn is_near(&self, parallel: &Parallel, positions: [&[Vector<T, D>]; 2]) -> bool {
+        let candidates = &self.sides[0].candidates;
+        let near2 = self.near * self.near;
+        let found = |k: usize| {
+            let (i, row) = candidates.row(k);
+            let x = positions[0][i];
+            row.iter().any(|&j| (positions[1][j as usize] - x).norm_squared() <= near2)
+        };
+        parallel.fold(candidates.particles().len(), false, &found, &|a, b| a | b)
     }
 
     /// Brings the candidates up to date.
@@ -106,7 +119,7 @@ impl<T: Real, const D: usize> Pairing<T, D> {
         // A body with itself is one set.
         let sets = [positions[0], if a == b { &[] } else { positions[1] }];
         if a != b && members[a].gap(&members[b]) > self.reach {
-            if self.is_near() {
+            if self.has_candidates() {
                 self.forget();
             }
             self.watch.expire();

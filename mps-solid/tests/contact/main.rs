@@ -5,7 +5,9 @@ mod collisions;
 #[path = "../common/mod.rs"]
 mod common;
 mod contract;
+mod failure;
 mod folded;
+mod refusal;
 mod rest;
 mod scene;
 mod sliding;
