@@ -4,7 +4,8 @@
 //! their velocities; the trait [`Structure`] is all it takes to put it into a flow. [`advance`] is the loop of a host that
 //! thinks in frames of a fixed length, into which the steps of the scene are fitted.
 //!
-//! The raft is let go too high or too low and comes to rest where it displaces its own mass: the exact answer.
+//! The raft is let go too high or too low and comes to rest where it displaces its own mass: the exact answer. Let go inclined (`--lean`) it rights
+//! itself, if the torque of the water has the right sign.
 
 use clap::Parser;
 use mps_coupling::{Scene, Structure, StructureEnergy};
@@ -49,6 +50,9 @@ struct Options {
     /// Density of the raft (kg/m3)
     #[arg(long, value_name = "RHO", default_value_t = 600.0)]
     density: f64,
+    /// Angle by which the raft is turned when it is let go (rad), anticlockwise
+    #[arg(long, value_name = "RAD", default_value_t = 0.0)]
+    lean: f64,
     /// Length of a frame of the host (s)
     #[arg(long, value_name = "S", default_value_t = 0.01)]
     frame: f64,
@@ -67,6 +71,9 @@ impl Options {
         Refused::unless(whole, "--spacing", self.spacing, even)?;
         let floats = "the raft has to float: give 200 to 900 kg/m3";
         Refused::unless((200.0..=900.0).contains(&self.density), "--density", self.density, floats)?;
+        let upright =
+            "give the angle in rad, -0.2 to 0.2: the raft has to reach out of the water with its edge";
+        Refused::unless(self.lean.abs() <= 0.2, "--lean", self.lean, upright)?;
         let short = "give the length of a frame in seconds, at most 1, e.g. 0.01";
         Refused::unless((1e-5..=1.0).contains(&self.frame), "--frame", self.frame, short)?;
         let long = "give the simulated time in seconds, at least a frame and at most 1000";
@@ -97,26 +104,34 @@ struct Raft<T: Real> {
 }
 
 impl<T: Real> Raft<T> {
-    /// A rectangle of points from its lower left `corner`.
-    fn new(corner: [f64; 2], density: f64, l0: f64) -> Self {
-        let positions = basin::lattice(corner, RAFT.map(|edge| (edge / l0).round() as usize), l0);
-        let centre = Vector::from([0, 1].map(|axis| T::of(corner[axis] + 0.5 * RAFT[axis])));
+    /// A rectangle of points about its `centre`, turned by `angle`.
+    fn new(centre: [f64; 2], angle: f64, density: f64, l0: f64) -> Self {
+        let drawn =
+            basin::lattice(RAFT.map(|edge| -0.5 * edge), RAFT.map(|edge| (edge / l0).round() as usize), l0);
+        let (centre, angle) = (Vector::from(centre.map(T::of)), T::of(angle));
+        let positions: Vec<_> = drawn.iter().map(|r| centre + turned(r, angle)).collect();
         let mass = density * RAFT[0] * RAFT[1];
         let len = positions.len();
         Self {
             mass: T::of(mass),
             inertia: T::of(mass * (RAFT[0] * RAFT[0] + RAFT[1] * RAFT[1]) / 12.0),
             centre,
-            angle: T::zero(),
+            angle,
             velocity: Vector::zeros(),
             spin: T::zero(),
-            drawn: positions.iter().map(|r: &Vector<T, 2>| r - centre).collect(),
+            drawn,
             positions,
             mean_velocities: vec![Vector::zeros(); len],
             volumes: vec![T::of(l0 * l0); len],
             spacing: T::of(l0),
         }
     }
+}
+
+/// `r`, turned by `angle`.
+fn turned<T: Real>(r: &Vector<T, 2>, angle: T) -> Vector<T, 2> {
+    let (sine, cosine) = angle.sin_cos();
+    Vector::from([cosine * r[0] - sine * r[1], sine * r[0] + cosine * r[1]])
 }
 
 impl<T: Real> Structure<T, 2> for Raft<T> {
@@ -160,12 +175,9 @@ impl<T: Real> Structure<T, 2> for Raft<T> {
         self.spin += torque / self.inertia * dt;
         self.centre += self.velocity * dt;
         self.angle += self.spin * dt;
-        let (sine, cosine) = self.angle.sin_cos();
         let fields = self.positions.iter_mut().zip(&mut self.mean_velocities);
         for ((place, mean), drawn) in fields.zip(&self.drawn) {
-            let turned =
-                Vector::from([cosine * drawn[0] - sine * drawn[1], sine * drawn[0] + cosine * drawn[1]]);
-            let now = self.centre + turned;
+            let now = self.centre + turned(drawn, self.angle);
             *mean = (now - *place) / dt;
             *place = now;
         }
@@ -213,10 +225,12 @@ fn pond<T: Real>(options: &Options, parallel: &Parallel) -> Result<Pond<T>, Fail
     let mut config = basin::water(l0, 10.0 * (GRAVITY * WATER[1]).sqrt());
     config.gravity = Vector::from([0.0, -GRAVITY].map(T::of));
     let counts = WATER.map(|edge| (edge / l0).round() as usize);
-    let corner = [0.5 * (WATER[0] - RAFT[0]), WATER[1] - START];
+    let centre = [0.5 * WATER[0], WATER[1] - START + 0.5 * RAFT[1]];
+    // With a margin: half a spacing from the raft its water begins, and a particle much closer would be in it.
     let in_raft = |r: &Vector<T, 2>| {
-        let [x, y] = [0, 1].map(|axis| r[axis].to_double() - corner[axis]);
-        x > 0.0 && x < RAFT[0] && y > 0.0
+        let from_centre = Vector::from([0, 1].map(|axis| r[axis].to_double() - centre[axis]));
+        let r = turned(&from_centre, -options.lean);
+        [0, 1].iter().all(|&axis| r[axis].abs() < 0.5 * RAFT[axis] + 0.25 * l0)
     };
     let places = basin::lattice([0.0; 2], counts, l0).into_iter().filter(|r| !in_raft(r)).collect();
     let mut particles = FluidParticles::at_rest(places);
@@ -225,7 +239,8 @@ fn pond<T: Real>(options: &Options, parallel: &Parallel) -> Result<Pond<T>, Fail
     let viscosity = |reference: &_| ArtificialViscosity::new::<2>(T::of(ALPHA), c, reference);
     let fluid = Fluid::new(config, WendlandGradient, viscosity, Open, particles, walls)?;
     let mut scene = Scene::new(fluid);
-    scene.add_structure(parallel, Box::new(Raft::<T>::new(corner, options.density, l0)), Slip::Free)?;
+    let raft = Raft::<T>::new(centre, options.lean, options.density, l0);
+    scene.add_structure(parallel, Box::new(raft), Slip::Free)?;
     Ok(scene)
 }
 
@@ -234,8 +249,9 @@ fn floats<T: Real>(scene: &Pond<T>) -> [f64; 2] {
     let Some(raft) = scene.structure(0).and_then(|body| body.as_any().downcast_ref::<Raft<T>>()) else {
         return [f64::NAN; 2];
     };
-    // Level of the water: W level = water + RAFT[0] (level - bottom).
-    let water = WATER[0] * WATER[1] - RAFT[0] * START;
+    // Level of the water: W level = water + RAFT[0] (level - bottom), upright.
+    let fluid = scene.fluid();
+    let water = fluid.particles().position.len() as f64 * fluid.config().particle_volume().to_double();
     let bottom = raft.centre[1].to_double() - 0.5 * RAFT[1];
     let level = (water - RAFT[0] * bottom) / (WATER[0] - RAFT[0]);
     [level - bottom, raft.angle.to_double()]
@@ -320,6 +336,7 @@ fn run<T: Real>(options: &Options) -> Result<(), Failure> {
     let mut summary = Summary::new("embed", env!("CARGO_PKG_VERSION"));
     summary.set("spacing_m", options.spacing);
     summary.set("raft_density_kg_m3", options.density);
+    summary.set("lean_rad", options.lean);
     summary.set("frame_s", options.frame);
     summary.set("end_time_s", options.end_time);
     summary.particles.insert("fluid".into(), particles as u64);
