@@ -131,7 +131,7 @@ impl Prices {
             ("bare step", "bare"),
             ("step of the gate", "gate"),
             ("momentum half", "sweep/momentum"),
-            ("density half", "sweep/density"),
+            ("both halves", "sweep/halves"),
             ("packing", "sweep/packing"),
             ("cells, order, permutation", "search/sort"),
             ("rows up to `3.3 l0`", "search/rows"),

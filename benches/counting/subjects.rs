@@ -140,10 +140,13 @@ fn sweeps<T: Real, const D: usize>(all: &mut Vec<Entry>, prefix: &str, cells: [u
             fluid.begin_step(&parallel).expect("a finite state");
         })
     });
-    add(all, format!("{prefix}/sweep/density"), move || {
+    // The density half has its turn only behind the momentum half.
+    add(all, format!("{prefix}/sweep/halves"), move || {
         let (mut fluid, parallel) = (tank(), Parallel::serial());
-        fluid.begin_step(&parallel).expect("a finite state");
-        repeated(particles, move || fluid.finish_step(&parallel, T::of(NO_TIME)))
+        repeated(particles, move || {
+            fluid.begin_step(&parallel).expect("a finite state");
+            fluid.finish_step(&parallel, T::of(NO_TIME));
+        })
     });
     add(all, format!("{prefix}/sweep/packing"), move || {
         let (mut fluid, parallel) = (tank(), Parallel::serial());
