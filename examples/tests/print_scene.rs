@@ -59,7 +59,7 @@ fn the_dam_break_prints_walls_of_whole_layers() {
     for (radius, depth) in [("3", 0.09), ("3.2", 0.105), ("3.25", 0.105), ("3.75", 0.12)] {
         let file = printed(DAM, &format!("dam-radius-{radius}"), &["--spacing", "3e-2", "--radius", radius]);
         let scene: toml::Table = std::fs::read_to_string(&file).unwrap().parse().unwrap();
-        let lowest = |wall: &toml::Value| wall["region"]["box"]["lower"][1].as_float();
+        let lowest = |wall: &toml::Value| wall["shape"]["region"]["box"]["lower"][1].as_float();
         let bed = scene["walls"]
             .as_array()
             .unwrap()

@@ -52,10 +52,10 @@ fn a_beam_that_floats_has_a_reference_without_load() {
 fn the_run_is_kept_while_its_reference_is_looked_for() {
     let dir = fresh("submerged-beam-cli", "reference");
     let mut command = std::process::Command::new(BEAM);
-    // A coarse tank for a moment, and a beam whose rest takes minutes to find.
+    // A coarse tank for a moment, and a beam whose rest takes seconds to find.
     command.args([
         "--across",
-        "32",
+        "8",
         "--spacing",
         "0.01",
         "--end-time",
