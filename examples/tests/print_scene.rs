@@ -53,6 +53,24 @@ fn the_dam_break_prints_its_scene() {
     }
 }
 
+/// With a radius that is no whole number of layers of points the walls are a layer thicker, and begin where they do otherwise.
+#[test]
+fn the_dam_break_prints_walls_of_whole_layers() {
+    for (radius, depth) in [("3", 0.09), ("3.2", 0.105), ("3.25", 0.105), ("3.75", 0.12)] {
+        let file = printed(DAM, &format!("dam-radius-{radius}"), &["--spacing", "3e-2", "--radius", radius]);
+        let scene: toml::Table = std::fs::read_to_string(&file).unwrap().parse().unwrap();
+        let lowest = |wall: &toml::Value| wall["shape"]["region"]["box"]["lower"][1].as_float();
+        let bed = scene["walls"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .find_map(|wall| (wall["name"].as_str() == Some("bed")).then(|| lowest(wall)).flatten());
+        assert!(bed.is_some_and(|y| (y + depth).abs() < 1e-9), "radius {radius}: {bed:?}");
+        let checked = Command::new(MPS).arg("check").arg(&file).output().unwrap();
+        assert!(checked.status.success(), "{}", words(&checked.stderr));
+    }
+}
+
 #[test]
 fn the_plate_prints_its_scene() {
     let options = ["--across", "6", "--material", "saint-venant", "--end-time", "0.1"];

@@ -3,7 +3,7 @@
 use crate::options::Options;
 use crate::setup::{
     DENSITY, GRAVITY, HEIGHT, LENGTH, PRESSURE, Release, Settings, Smoothing, TANK, WALL_HEIGHT,
-    WALL_SPACING, WALL_VISCOSITY, Walls, bed_length, sound_speed,
+    WALL_SPACING, WALL_VISCOSITY, Walls, bed_length, sound_speed, wall_depth,
 };
 use crate::{FRAME_INTERVAL, PROBE_INTERVAL};
 use mps_examples::Refused;
@@ -93,7 +93,7 @@ fn slip(settings: &Settings) -> Slip {
 }
 
 fn walls(settings: &Settings) -> Vec<Wall> {
-    let depth = settings.radius * settings.spacing;
+    let depth = wall_depth(settings);
     let from = TANK - bed_length(settings.spacing, depth);
     let wall =
         |name: &str, region| Wall { fineness: WALL_SPACING, ..Wall::filling(name, region, slip(settings)) };
@@ -104,7 +104,7 @@ fn walls(settings: &Settings) -> Vec<Wall> {
 }
 
 fn far_wall(settings: &Settings) -> Fixed {
-    let depth = settings.radius * settings.spacing;
+    let depth = wall_depth(settings);
     Fixed {
         name: "far wall".into(),
         region: Region::between([TANK, -depth], [TANK + depth, WALL_HEIGHT]),

@@ -143,7 +143,7 @@ impl<T: Real, K: Kernel<T>> DamBreak<T, K> {
         let mut boundary = Boundary::default();
         // A quarter of a particle each.
         let volume = T::of(WALL_SPACING * WALL_SPACING);
-        let depth = settings.radius * l0;
+        let depth = wall_depth(settings);
         let slip = match settings.walls {
             Walls::Law => Slip::Law,
             Walls::Free => Slip::Free,
@@ -201,6 +201,17 @@ fn pressure_when_released(x: f64, y: f64) -> f64 {
     DENSITY * GRAVITY * released_column(HEIGHT, LENGTH, x, y)
 }
 
+/// Thickness of the walls \[m\]: whole layers of points, at least as deep as the effective radius. With less than a whole layer left over the
+/// rows, which are counted from the far side, would begin before or behind the surface they stand for.
+pub(crate) fn wall_depth(settings: &Settings) -> f64 {
+    layers_of(settings.radius) * settings.spacing
+}
+
+/// The radius in spacings, rounded up to whole layers.
+fn layers_of(radius: f64) -> f64 {
+    (radius / WALL_SPACING).ceil() * WALL_SPACING
+}
+
 /// Bed and back wall: layers of points as deep as the effective radius.
 fn tank<T: Real>(l0: f64, depth: f64) -> Vec<Vector<T, 2>> {
     let spacing = WALL_SPACING * l0;
@@ -239,6 +250,24 @@ fn fill<T: Real>(lower: [f64; 2], upper: [f64; 2], l0: f64) -> Vec<Vector<T, 2>>
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Rows at half a spacing begin a quarter of the water's spacing behind the surface, whatever the radius.
+    #[test]
+    fn bed_and_back_wall_begin_a_quarter_of_a_spacing_behind_their_surface() {
+        let l0 = 0.02;
+        for (radius, layers) in [(3.0, 6.0), (3.2, 7.0), (3.25, 7.0), (3.5, 7.0), (3.75, 8.0), (4.0, 8.0)] {
+            let depth = layers_of(radius) * l0;
+            assert_eq!(depth, layers * WALL_SPACING * l0);
+            let points = tank::<f64>(l0, depth);
+            // The bed is what lies under the water, the back wall what stands above the bed.
+            let largest = |axis: usize, beside: usize| {
+                let inside = points.iter().filter(|r| r[beside] > l0);
+                inside.map(|r| r[axis]).fold(f64::NEG_INFINITY, f64::max) / l0
+            };
+            assert!((largest(1, 0) + 0.25).abs() < 1e-9, "bed with radius {radius}: {}", largest(1, 0));
+            assert!((largest(0, 1) + 0.25).abs() < 1e-9, "wall with radius {radius}: {}", largest(0, 1));
+        }
+    }
 
     #[test]
     fn the_unit_of_time_is_the_root_it_stands_for() {
