@@ -10,6 +10,7 @@ use thiserror::Error;
 
 /// Listens for a signal, and for a file named `stop` in the directory of the run: for those who cannot send signals to the
 /// machine it is on.
+#[derive(Debug)]
 pub struct Stop {
     signal: Arc<AtomicBool>,
     file: PathBuf,

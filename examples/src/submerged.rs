@@ -3,7 +3,8 @@
 //! The tank is open. Its free surface sets the level of the pressure, and water may rise and fall as the beam moves; under
 //! a lid the level would follow from how well the lattice fills the tank, times the stiffness of the fluid.
 
-use crate::{Failure, basin};
+use crate::solid::settle;
+use crate::{Failure, Watch, basin};
 use mps_coupling::{ElasticBody, Scene};
 use mps_fluid::{Diffusion, Fluid, FluidParticles, LaminarViscosity, Slip};
 use mps_kernel::weights::{WendlandC2, WendlandGradient};
@@ -150,15 +151,35 @@ pub fn end<T: Real>(solid: &Rubber<T>) -> Result<MaterialPoint<T, 2>, Failure> {
 }
 
 /// Deflection of the same solid at rest without the water, under the weight less the buoyancy \[m\]: what is left of the
-/// difference to it is the coupling's.
+/// difference to it is the coupling's. `watch` shows how far it is, and may end it.
 ///
 /// # Errors
-/// If it does not come to rest.
-pub fn dry_deflection<T: Real>(settings: &Settings, parallel: &Parallel) -> Result<f64, Failure> {
+/// If it does not come to rest, or is asked to end before.
+pub fn dry_deflection<T: Real>(
+    settings: &Settings,
+    parallel: &Parallel,
+    watch: &Watch,
+) -> Result<f64, Failure> {
+    let net = GRAVITY * (WATER / settings.density - 1.0);
+    if net == 0.0 {
+        // Straight. What is left of the forces is measured against the load, and there is none.
+        return Ok(0.0);
+    }
     let mut solid = beam::<T>(settings, parallel)?;
     let end = end(&solid)?;
-    let net = Vector::from([0.0, GRAVITY * (WATER / settings.density - 1.0)].map(T::of));
-    solid.relax(parallel, &net, |_, _| (), &Relaxation::default())?;
+    let dt = solid.max_step(parallel).to_double();
+    // About as long as it takes: some periods, which grow with the root of the mass.
+    let mut progress = watch.progress(4.0 * (settings.density / WATER).sqrt());
+    let mut steps = 0;
+    let net = Vector::from([0.0, net].map(T::of));
+    settle(&mut solid, parallel, &net, &Relaxation::default(), |_| {
+        let time = steps as f64 * dt;
+        progress.update(time, steps, dt, "the same beam without water");
+        steps += 1;
+        // A step takes some microseconds: not in each.
+        if steps % 64 == 1 { watch.stopped(time).map_or(Ok(()), Err) } else { Ok(()) }
+    })?;
+    progress.finish(steps as f64 * dt, steps);
     Ok(moved(&solid, &end, settings))
 }
 

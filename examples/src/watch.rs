@@ -7,6 +7,7 @@ use mps_io::Progress;
 use std::path::Path;
 
 /// What `record` shows, logs and listens to.
+#[derive(Debug)]
 pub struct Watch {
     quiet: bool,
     stop: Option<Stop>,
@@ -39,7 +40,7 @@ impl Watch {
     }
 
     /// The error with which a run ends that is asked to, at this time \[s\].
-    pub(crate) fn stopped(&self, time: f64) -> Option<Failure> {
+    pub fn stopped(&self, time: f64) -> Option<Failure> {
         let stop = self.stop.as_ref()?;
         let by: Asked = stop.asked()?;
         Some(stop.stopped(by, time).into())

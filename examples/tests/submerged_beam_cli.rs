@@ -36,6 +36,54 @@ fn what_cannot_be_run_is_refused_with_the_flag_and_a_remedy() {
     }
 }
 
+/// As heavy as water the beam stays straight, in water and without.
+#[test]
+fn a_beam_that_floats_has_a_reference_without_load() {
+    let dir = fresh("submerged-beam-cli", "floating");
+    let floating = ["--density", "1000", "--across", "2", "--end-time", "0.05", "--no-fields", "--quiet"];
+    let output = execute(BEAM, &dir, &floating);
+    assert!(output.status.success(), "{}", words(&output.stderr));
+    let summary = Summary::read(dir.join("summary.json")).unwrap();
+    assert_eq!(summary.metrics["tip_deflection_dry"].value, 0.0);
+}
+
+/// The search for the reference comes after the run and may take longer: what was computed is there before, and it can be ended.
+#[test]
+fn the_run_is_kept_while_its_reference_is_looked_for() {
+    let dir = fresh("submerged-beam-cli", "reference");
+    let mut command = std::process::Command::new(BEAM);
+    // A coarse tank for a moment, and a beam whose rest takes seconds to find.
+    command.args([
+        "--across",
+        "8",
+        "--spacing",
+        "0.01",
+        "--end-time",
+        "1e-6",
+        "--no-fields",
+        "--quiet",
+        "--out",
+    ]);
+    let child = command.arg(&dir).stderr(std::process::Stdio::piped()).spawn().unwrap();
+    let begun = std::time::Instant::now();
+    let before = loop {
+        if let Ok(summary) = Summary::read(dir.join("summary.json")) {
+            break summary;
+        }
+        assert!(begun.elapsed().as_secs() < 100, "no summary");
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    };
+    std::fs::write(dir.join("stop"), "").unwrap();
+    let output = child.wait_with_output().unwrap();
+    let said = words(&output.stderr);
+    let noted = |summary: &Summary, words: &str| summary.notes.iter().any(|note| note.contains(words));
+    assert!(before.status == "completed" && before.metrics.contains_key("lift"), "{before:?}");
+    assert!(noted(&before, "tip_deflection_dry: the program was ended before"), "{:?}", before.notes);
+    assert!(!output.status.success() && said.contains("the run is completed and kept"), "{said}");
+    let after = Summary::read(dir.join("summary.json")).unwrap();
+    assert!(noted(&after, "tip_deflection_dry: stopped by the file"), "{:?}", after.notes);
+}
+
 /// Twice, with other threads, with and without pictures: the same to the last bit.
 #[test]
 fn a_run_leaves_its_results_and_does_not_depend_on_the_threads() {

@@ -5,8 +5,10 @@ pub mod flag;
 mod motion;
 mod pictures;
 pub mod plate;
+mod rest;
 mod rows;
 
 pub use motion::{Motion, Sample};
 pub use pictures::{Look, Pictures};
+pub use rest::settle;
 pub use rows::begin_at;

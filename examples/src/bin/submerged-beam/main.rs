@@ -47,10 +47,25 @@ fn run<T: Real>(options: &Options) -> Result<(), Failure> {
         particles: scene.fluid().particles().position.len(),
     };
     // In f64: the forces of a beam at rest are smaller than what f32 rounds off.
-    let dry = parallel.install(|| submerged::dry_deflection::<f64>(&settings, &parallel))?;
-    let mut summary = report::summary(&settings, &scene, &samples, dry);
-    summary.set("end_time_s", options.end_time);
-    cost.enter(&mut summary, &options.common, done.as_ref().err());
-    conclude(&dir, &summary, &options.common, done.is_ok())?;
-    done
+    let dry = parallel.install(|| submerged::dry_deflection::<f64>(&settings, &parallel, &watch));
+    let missing = dry.as_ref().err().map(ToString::to_string);
+    let known = dry.as_ref().map_err(|_| missing.as_deref().unwrap_or_default());
+    conclude(&dir, &summary(known.copied()), &options.common, true)?;
+    dry.map(drop).map_err(|failure| {
+        let words =
+            "the run is completed and kept; the same beam without water, with which it is compared, is not";
+        format!("{words}: {failure}").into()
+    })
+    let summary = |dry: Result<f64, &str>| {
+        let mut summary = report::summary(&settings, &scene, &samples, dry);
+        summary.set("end_time_s", options.end_time);
+        cost.enter(&mut summary, &options.common, done.as_ref().err());
+        summary
+    };
+    if done.is_err() {
+        conclude(&dir, &summary(Err("the run ended before")), &options.common, false)?;
+        return done;
+    }
+    // The reference may take as long as the run: whatever becomes of it, the run is kept.
+    summary(Err("the program was ended before")).write(&dir)?;
 }

@@ -1,8 +1,8 @@
 //! A beam in water, bent by its buoyancy: the case of the program `submerged-beam`.
 
-use mps_examples::Failure;
 use mps_examples::exact::{Case, Curve, Measure, Outcome, Pace, Plot};
 use mps_examples::submerged::{self, LENGTH, SOURCE, Settings, THICKNESS, WATER, deflection};
+use mps_examples::{Failure, Watch};
 use mps_io::CurvePlot;
 use mps_kernel::Real;
 use mps_neighbors::Parallel;
@@ -54,7 +54,7 @@ impl Case for Submerged {
         let mean = moved[from..].iter().sum::<f64>() / (moved.len() - from) as f64;
         let lift = (scene.budget().impulse()[1] - impulse) / since;
         let displaced = WATER * submerged::GRAVITY * LENGTH * THICKNESS;
-        let dry = submerged::dry_deflection::<f64>(&settings, parallel)?;
+        let dry = submerged::dry_deflection::<f64>(&settings, parallel, &Watch::nobody())?;
         let y = moved.iter().map(|x| 1e3 * x).collect();
         Ok(Outcome {
             measures: vec![
