@@ -1,8 +1,6 @@
 //! What an earlier run has left in the directory of a new one.
 
-use crate::Failure;
-use std::fs;
-use std::io::ErrorKind;
+use crate::{Failure, leftovers};
 use std::path::Path;
 
 /// Whether a run writes files of this name beside its table and its log, which it begins anew in any case.
@@ -26,24 +24,8 @@ fn is_list(name: &str) -> bool {
 /// # Errors
 /// If the operating system refuses.
 pub(super) fn remove(dir: &Path) -> Result<(), Failure> {
-    remove_from(dir, is_result)?;
-    remove_from(&dir.join("fields"), is_list)
-}
-
-fn remove_from(dir: &Path, wanted: fn(&str) -> bool) -> Result<(), Failure> {
-    let refused =
-        |error| format!("cannot remove the results of an earlier run from {}: {error}", dir.display());
-    let entries = match fs::read_dir(dir) {
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
-        entries => entries.map_err(refused)?,
-    };
-    for entry in entries {
-        let entry = entry.map_err(refused)?;
-        if entry.file_name().to_str().is_some_and(wanted) && entry.path().is_file() {
-            fs::remove_file(entry.path()).map_err(refused)?;
-        }
-    }
-    Ok(())
+    leftovers::remove(dir, is_result)?;
+    leftovers::remove(&dir.join("fields"), is_list)
 }
 
 #[cfg(test)]

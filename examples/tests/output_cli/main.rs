@@ -3,6 +3,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod leftovers;
 mod stopped;
 
 use common::{execute, fresh, words};

@@ -8,7 +8,9 @@ mod report;
 use mps_examples::scene::print_scene;
 use mps_examples::solid::plate::{LENGTH, PERIOD, THICKNESS, moduli, plate, unit_of_time};
 use mps_examples::solid::{Look, Motion, Pictures};
-use mps_examples::{Failure, Precision, Watch, conclude, exit_code, parse_with_presets, record};
+use mps_examples::{
+    Failure, Precision, Watch, conclude, exit_code, parse_with_presets, record, remove_leftovers,
+};
 use mps_io::{Summary, View};
 use mps_kernel::{Real, Vector};
 use mps_solid::ConstitutiveModel;
@@ -21,6 +23,19 @@ use std::process::ExitCode;
 const SAMPLES: f64 = 400.0;
 /// Frames of the film in a period.
 const FRAMES: f64 = 40.0;
+
+/// What a run writes beside its table and its log, which it begins anew in any case (`remove_leftovers`).
+const WRITTEN: &[&str] = &[
+    "summary.json",
+    "tip.png",
+    "energy.png",
+    "energy_error.png",
+    "film.png",
+    "stress_up.png",
+    "stress_down.png",
+    "stress_wreck.png",
+    "fields/body.pvd",
+];
 
 fn main() -> ExitCode {
     exit_code(run_all(&parse_with_presets::<Options>(options::preset)))
@@ -67,6 +82,7 @@ fn run<T: Real, M: ConstitutiveModel<T, 2>>(
 ) -> Result<Ended, Failure> {
     let parallel = options.common.parallel()?;
     let (solid, tip) = plate(across, material, options.config(), &parallel)?;
+    remove_leftovers(dir, WRITTEN)?;
     let pictures = if options.common.no_fields { None } else { Some(Pictures::new(dir, look(across))?) };
     let interval = PERIOD * unit_of_time() / SAMPLES;
     let mut motion = Motion::new(solid, tip, Vector::zeros(), interval, &parallel)?

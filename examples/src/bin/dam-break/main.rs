@@ -18,6 +18,7 @@ use fields::Fields;
 use mps_examples::scene::print_scene;
 use mps_examples::{
     Cost, Failure, Precision, Watch, Weight, conclude, exit_code, parse_with_presets, record,
+    remove_leftovers,
 };
 use mps_io::Summary;
 use mps_kernel::weights::{Rational, WendlandGradient};
@@ -39,6 +40,19 @@ const FRAME_INTERVAL: f64 = 2e-2;
 const SNAPSHOTS: [f64; 10] = [0.0, 1.0, 2.0, 2.5, 3.0, 4.0, 5.0, 5.5, JET, 7.0];
 /// When the paper shows the returning jet (its Fig. 12), over `sqrt(H/g)`.
 const JET: f64 = 6.0;
+
+/// What a run writes beside its table and its log, which it begins anew in any case (`remove_leftovers`).
+const WRITTEN: &[&str] = &[
+    "summary.json",
+    "front.png",
+    "energy.png",
+    "pressure_#.png",
+    "film.png",
+    "snapshot_t#.png",
+    "jet_t#.png",
+    "fields/walls.pvd",
+    "fields/water.pvd",
+];
 
 fn main() -> ExitCode {
     exit_code(run_all(&parse_with_presets::<Options>(options::preset)))
@@ -83,6 +97,7 @@ fn run<T: Real, K: Kernel<T>>(options: &Options, weight: K) -> Result<Ended, Fai
     let mut dam = DamBreak::<T, K>::new(&settings, weight)?;
     if !options.no_books {
         dam.fluid_mut().keep_books();
+    remove_leftovers(&dir, WRITTEN)?;
     }
     let mut observer = Observer::new(&dir, &mut dam, &parallel)?;
     let fields = if options.common.no_fields { None } else { Some(Fields::new(&dir, &dam)?) };

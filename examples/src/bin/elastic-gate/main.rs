@@ -16,6 +16,7 @@ use fields::Fields;
 use mps_examples::scene::print_scene;
 use mps_examples::{
     Cost, Failure, Precision, Watch, Weight, conclude, exit_code, parse_with_presets, record,
+    remove_leftovers,
 };
 use mps_kernel::weights::{Rational, WendlandGradient};
 use mps_kernel::{Kernel, Real};
@@ -34,6 +35,17 @@ const FRAME_INTERVAL: f64 = 5e-3;
 const FIELD_INTERVAL: f64 = 1e-2;
 /// Between two snapshots \[s\].
 const SNAPSHOT_INTERVAL: f64 = 4e-2;
+
+/// What a run writes beside its table and its log, which it begins anew in any case (`remove_leftovers`).
+const WRITTEN: &[&str] = &[
+    "summary.json",
+    "gate.png",
+    "film.png",
+    "snapshot_#ms.png",
+    "fields/walls.pvd",
+    "fields/water.pvd",
+    "fields/gate.pvd",
+];
 
 fn main() -> ExitCode {
     let options = parse_with_presets::<Options>(options::preset);
@@ -63,6 +75,7 @@ fn run<T: Real, K: Kernel<T>>(options: &Options, weight: K) -> Result<(), Failur
     let parallel = options.common.parallel()?;
     let dir = options.common.output("elastic-gate")?;
     let mut scene = setup::build::<T, K>(&settings, weight, &parallel)?;
+    remove_leftovers(&dir, WRITTEN)?;
     let mut observer = Observer::new(&dir, &scene, settings.across, &parallel)?;
     let fields = if options.common.no_fields {
         None

@@ -1,8 +1,7 @@
 //! CSM1: the flag at rest under its own weight.
 
 use crate::options::Options;
-use crate::{Settings, look, plots};
-use mps_examples::solid::Pictures;
+use crate::{Settings, WRITTEN, look, plots};
 use mps_examples::solid::flag::{CSM1, Flag, RUBBER, SOURCE, end, flag, gravity};
 use mps_examples::{Cost, Failure, conclude};
 use mps_io::{CsvWriter, Metric, Progress};
@@ -29,6 +28,7 @@ pub(crate) fn run<T: Real>(options: &Options, settings: &Settings, dir: &Path) -
     let mut watch = Watch { tip, table, progress: Progress::new(options.common.quiet, USUAL), dt, steps: 0 };
     let clock = Instant::now();
     let (settled, answers) = parallel.install(|| -> Result<_, Failure> {
+    remove_leftovers(dir, WRITTEN)?;
         watch.settle(&mut flag, settings.tolerance * COARSER, &parallel)?;
         let coarser = watch.displacement(flag.particles());
         let settled = watch.settle(&mut flag, settings.tolerance, &parallel)?;

@@ -1,11 +1,11 @@
 //! CSM3: the flag is let go and swings for ever.
 
 use crate::options::Options;
-use crate::{Settings, look, plots};
+use crate::{Settings, WRITTEN, look, plots};
 use mps_examples::series::{Oscillation, oscillation};
 use mps_examples::solid::flag::{CSM3, CSM3_FIRST, CSM3_FIRST_END, RUBBER, SOURCE, end, flag, gravity};
 use mps_examples::solid::{Motion, Pictures, Sample};
-use mps_examples::{Failure, Watch, conclude, enter_results, record};
+use mps_examples::{Failure, Watch, conclude, enter_results, record, remove_leftovers};
 use mps_io::{Metric, Summary};
 use mps_kernel::Real;
 use std::path::Path;
@@ -22,6 +22,7 @@ pub(crate) fn run<T: Real>(options: &Options, settings: &Settings, dir: &Path) -
     let flag = flag::<T>(settings.across, settings.clamp, &RUBBER, &parallel)?;
     let mut look = look(options.test, settings);
     (look.frame, look.stills) = (PERIOD / FRAMES, vec![("lowest", 0.5 * PERIOD), ("highest", PERIOD)]);
+    remove_leftovers(dir, WRITTEN)?;
     let pictures = if options.common.no_fields { None } else { Some(Pictures::new(dir, look)?) };
     let mut motion = Motion::new(flag, end(), gravity(), PERIOD / SAMPLES, &parallel)?
         .with_table(dir)?

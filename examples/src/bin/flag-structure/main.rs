@@ -17,6 +17,21 @@ use mps_kernel::Real;
 use options::{Options, Test};
 use std::process::ExitCode;
 
+/// What a run writes beside its table and its log, which it begins anew in any case (`remove_leftovers`).
+const WRITTEN: &[&str] = &[
+    "summary.json",
+    "ux.png",
+    "uy.png",
+    "energy.png",
+    "middle_line.png",
+    "film.png",
+    "stress_rest.png",
+    "stress_lowest.png",
+    "stress_highest.png",
+    "stress_wreck.png",
+    "fields/body.pvd",
+];
+
 fn main() -> ExitCode {
     let options = Options::parse();
     exit_code(match options.common.precision {

@@ -13,12 +13,29 @@ mod setup;
 
 use fields::Fields;
 use mps_examples::scene::print_scene;
-use mps_examples::{Cost, Failure, Precision, Watch, conclude, exit_code, parse_with_presets, record};
+use mps_examples::{
+    Cost, Failure, Precision, Watch, conclude, exit_code, parse_with_presets, record, remove_leftovers,
+};
 use mps_kernel::Real;
 use observe::Observer;
 use options::Options;
 use run::Run;
 use std::process::ExitCode;
+
+/// What a run writes beside its table and its log, which it begins anew in any case (`remove_leftovers`).
+const WRITTEN: &[&str] = &[
+    "summary.json",
+    "drag.png",
+    "lift.png",
+    "ux.png",
+    "uy.png",
+    "film.png",
+    "snapshot_#ms.png",
+    "fields/walls.pvd",
+    "fields/cylinder.pvd",
+    "fields/water.pvd",
+    "fields/flag.pvd",
+];
 
 fn main() -> ExitCode {
     let options = parse_with_presets::<Options>(options::preset);
@@ -38,6 +55,7 @@ fn run<T: Real>(options: &Options) -> Result<(), Failure> {
     let parallel = options.common.parallel()?;
     let dir = options.common.output(&format!("turek-hron-{}", settings.test.name()))?;
     let mut scene = setup::build::<T>(&settings, &parallel)?;
+    remove_leftovers(&dir, WRITTEN)?;
     let mut observer = Observer::new(&dir, settings.level(), &scene)?;
     let fields = if options.common.no_fields { None } else { Some(Fields::new(&dir, &settings, &scene)?) };
     let (end, watch, mut seconds) = (settings.end_time, Watch::begin(&dir, &options.common)?, 0.0);
