@@ -115,11 +115,31 @@ fn harmonics_of_a_table_are_told() {
     for (arguments, message) in [
         (["--column", "lft"], "did you mean \"lift\"?"),
         (["--from", "8"], "--from is 8: the run has 400 rows up to 3.9900 s: give an earlier time"),
+        (["--from", "nan"], "--from is NaN: give a time of the run in seconds"),
+        (["--to", "inf"], "--to is inf: give a time of the run in seconds"),
     ] {
         let output = run(&arguments);
         let said = words(&output.stderr);
         assert!(!output.status.success() && said.contains(message), "{said}");
     }
+}
+
+/// A long table is taken apart in a moment, and noise from row to row has the size it has.
+#[test]
+fn harmonics_of_a_long_table_are_told() {
+    let dir = fresh("plots", "harmonics-long");
+    std::fs::create_dir_all(&dir).unwrap();
+    let mut table = "time [s],lift [N/m]\n".to_owned();
+    for k in 0..30_000 {
+        let (t, noise) = (f64::from(k) * 1e-3, if k % 2 == 0 { 0.5 } else { -0.5 });
+        table += &format!("{t},{}\n", 3.0 + noise + 2.0 * (core::f64::consts::TAU * 5.03 * t).cos());
+    }
+    std::fs::write(dir.join("probes.csv"), table).unwrap();
+    let begun = std::time::Instant::now();
+    let output = Command::new(MPS).arg("harmonics").arg(&dir).args(["--from", "0"]).output().unwrap();
+    let told = words(&output.stdout);
+    assert!(told.contains("| 3.00000e0 | 2.0000e0 | 5.0300 | 5.0000e-1 | 500.0000 |"), "{told}");
+    assert!(begun.elapsed().as_secs() < 30, "{:?}", begun.elapsed());
 }
 
 #[test]

@@ -7,6 +7,9 @@ use mps_io::number;
 use std::fmt::Write;
 use std::path::Path;
 
+/// Most rows of the part: a tenth of a gigabyte.
+const MOST: usize = 1 << 18;
+
 /// Which part of a run is taken apart, and how far.
 #[derive(Clone, Copy, Debug)]
 pub struct Window {
@@ -21,7 +24,7 @@ pub struct Window {
 /// The mean and the strongest harmonics of columns of the table of probes of the run in `dir`, as a table in Markdown. All columns but the time for none.
 ///
 /// # Errors
-/// If there is no such table, it has no such columns, or fewer than ten rows in the window.
+/// If there is no such table, it has no such columns, fewer than ten rows in the window or too many, or a time is none.
 pub fn harmonics(dir: &Path, columns: &[String], window: Window) -> Result<String, Failure> {
     let probes = Probes::of(dir)?;
     let table = &probes.table;
@@ -33,9 +36,14 @@ pub fn harmonics(dir: &Path, columns: &[String], window: Window) -> Result<Strin
     let last = time.last().copied().unwrap_or(0.0);
     let (from, to) = (window.from.unwrap_or(0.5 * last), window.to.unwrap_or(last));
     let rows = time.partition_point(|t| *t < from)..time.partition_point(|t| *t <= to);
+    let given = "give a time of the run in seconds, or leave it out";
+    Refused::unless(from.is_finite(), "--from", from, given)?;
+    Refused::unless(to.is_finite(), "--to", to, given)?;
     let advice =
         format!("the run has {} rows up to {} s: give an earlier time", time.len(), number(last, 4, last));
     Refused::unless(rows.len() >= 10, "--from", from, advice)?;
+    let parts = "more than can be taken apart at once: give a part of the run with --from and --to";
+    Refused::unless(rows.len() <= MOST, "rows", rows.len(), parts)?;
 
     let mut text = format!("| {} to {} s | mean |", number(from, 4, to), number(to, 4, to));
     for k in 1..=window.count {

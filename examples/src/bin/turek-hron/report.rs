@@ -80,7 +80,15 @@ pub(crate) fn summary<T: Real>(settings: &Settings, scene: &Channel<T>, observer
     let time: Vec<f64> = read.iter().map(|s| s.time).collect();
     for (name, unit, value, reference) in quantities(settings) {
         let values: Vec<f64> = read.iter().map(value).collect();
-        enter_results(&mut summary, results(settings, name, unit, &time, &values, &reference));
+        let (known, elsewhere): (Vec<_>, Vec<_>) =
+            results(settings, name, unit, &time, &values, &reference).into_iter().partition(|(_, metric)| {
+                let periods =
+                    time.last().zip(time.first()).map_or(0.0, |(a, b)| (a - b) * reference.frequency);
+                metric.is_some() || settings.test.is_steady() || periods < 2.0
+            });
+        enter_results(&mut summary, known);
+        let words = "no harmonic within a third of the frequency of the reference";
+        summary.notes.extend(elsewhere.iter().map(|(name, _)| format!("{name}: {words}")));
     }
     let residual = Metric::new(scene.budget().residual.to_double(), "-");
     enter_results(&mut summary, [("interface_momentum_residual".to_owned(), Some(residual))]);
