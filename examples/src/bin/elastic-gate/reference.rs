@@ -18,6 +18,9 @@ pub(crate) const EXPERIMENT: &[(f64, f64, f64)] = &[
 pub(crate) const EXPERIMENT_MAXIMUM: Maximum =
     Maximum { x: 0.0464, y: 0.0171, source: "Antoci, Gallati, Sibilla 2007 (experiment)" };
 
+/// When it is as far open \[s\].
+pub(crate) const EXPERIMENT_MAXIMUM_TIME: f64 = 0.16;
+
 /// Largest displacements of the free end in a published run \[m\].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Maximum {
