@@ -127,6 +127,31 @@ fn the_exact_problems_of_the_coupling_stay_as_good_as_they_are() {
     stays_within("coupling", COUPLING, &["submerged-beam-deflection.png"], "## added-mass");
 }
 
+/// Parts share no directory unless one is given, and the coarsest resolution is the least that can be asked for.
+#[test]
+fn every_part_has_its_directory_and_a_resolution_to_run() {
+    let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join("validate-quick").join("default");
+    let _ = std::fs::remove_dir_all(&root);
+    std::fs::create_dir_all(&root).unwrap();
+    let run = |arguments: &[&str]| {
+        Command::new(env!("CARGO_BIN_EXE_validate")).current_dir(&root).args(arguments).output().unwrap()
+    };
+    let refused = run(&["solid", "--only", "rotation", "--finest", "1"]);
+    let words = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert_eq!(refused.status.code(), Some(1), "{words}");
+    assert!(words.contains("--finest is 1: the coarsest run of these cases has "), "{words}");
+    assert!(!root.join("out").exists(), "nothing is written");
+    for (part, case) in [("solid", "rotation"), ("fluid", "free-fall")] {
+        let output = run(&[part, "--quick", "--quiet", "--only", case]);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+    for (part, case) in [("solid", "rotation"), ("fluid", "free-fall")] {
+        let text =
+            std::fs::read_to_string(root.join("out/validate").join(part).join("validation.md")).unwrap();
+        assert!(text.contains(&format!("## {case}")), "{text}");
+    }
+}
+
 #[test]
 fn an_unknown_case_is_refused_with_the_names_of_the_known() {
     let output =

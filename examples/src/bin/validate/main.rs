@@ -6,9 +6,10 @@ mod solid;
 mod table;
 
 use clap::Parser;
-use mps_examples::exact::{self, Case, Outcome, Pace, draw};
+use mps_examples::exact::{self, Case, Outcome, draw};
 use mps_examples::{Failure, exit_code};
 use options::{Options, Part, Run};
+use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 use table::Table;
@@ -31,27 +32,37 @@ fn run(part: &Part) -> Result<(), Failure> {
         Part::Solid(_) => solid::cases(),
         Part::Coupling(_) => coupling::cases(),
     };
-    options.check(&cases.iter().map(|case| case.name()).collect::<Vec<_>>())?;
-    mps_io::prepare_output(&options.out)?;
+    options.check(&cases)?;
+    let out = part.out();
+    mps_io::prepare_output(&out)?;
     let mut table = Table::new(part.name(), options.quick);
-    for case in cases {
-        if options.only.is_empty() || options.only.iter().any(|name| name == case.name()) {
-            run_case(case.as_ref(), options, &mut table)?;
-            // A run that is stopped keeps what it has measured.
-            table.write(&options.out)?;
+    for case in cases.iter().filter(|case| options.takes(case.name())) {
+        if options.resolutions(case.as_ref()).is_empty() {
+            say(options.quiet, format_args!("{}: all resolutions are finer than --finest", case.name()));
+            continue;
         }
+        run_case(case.as_ref(), options, &out, &mut table)?;
+        // A run that is stopped keeps what it has measured.
+        table.write(&out)?;
     }
-    say(options.quiet, format_args!("results in {}", options.out.display()));
-    Ok(())
+    say(options.quiet, format_args!("results in {}", out.display()));
+    let broken = table.broken();
+    if broken.is_empty() {
+        return Ok(());
+    }
+    Err(format!(
+        "runs broke off, for reasons that {} has: {}",
+        out.join("validation.md").display(),
+        broken.join(", ")
+    )
+    .into())
 }
 
-fn run_case(case: &dyn Case, options: &Run, table: &mut Table) -> Result<(), Failure> {
-    let parallel = options.parallel()?;
-    let pace = if options.quick { Pace::Quick } else { Pace::Full };
-    let finest = options.finest.unwrap_or(usize::MAX);
+fn run_case(case: &dyn Case, options: &Run, out: &Path, table: &mut Table) -> Result<(), Failure> {
+    let (parallel, pace) = (options.parallel()?, options.pace());
     let clock = Instant::now();
     let mut runs = Vec::new();
-    for resolution in case.resolutions(pace).into_iter().filter(|n| *n <= finest) {
+    for resolution in options.resolutions(case) {
         let clock = Instant::now();
         // Inside the pool the loops of a step need no hand-over between threads.
         let outcome = parallel.install(|| case.run(resolution, pace, &parallel));
@@ -67,7 +78,7 @@ fn run_case(case: &dyn Case, options: &Run, table: &mut Table) -> Result<(), Fai
         runs.push((resolution, outcome));
     }
     let outcomes: Vec<&Outcome> = runs.iter().filter_map(|(_, run)| run.as_ref().ok()).collect();
-    draw(case, &outcomes, &options.out)?;
+    draw(case, &outcomes, out)?;
     table.add(case, &runs, clock.elapsed().as_secs_f64());
     Ok(())
 }

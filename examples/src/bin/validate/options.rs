@@ -1,6 +1,7 @@
 //! The command line: what is validated, how thoroughly, and where the results go.
 
 use clap::{Args, Parser, Subcommand};
+use mps_examples::exact::{Case, Pace};
 use mps_examples::{Failure, Refused};
 use mps_neighbors::Parallel;
 use std::path::PathBuf;
@@ -41,9 +42,9 @@ pub(crate) struct Run {
     /// Threads; the results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(crate) threads: usize,
-    /// Directory for the results; created if missing
-    #[arg(long, value_name = "DIR", default_value = "out/validate")]
-    pub(crate) out: PathBuf,
+    /// Directory for the results, out/validate/PART if left out; created if missing
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
     /// No words while running
     #[arg(long)]
     pub(crate) quiet: bool,
@@ -64,16 +65,41 @@ impl Part {
             Self::Fluid(run) | Self::Solid(run) | Self::Coupling(run) => run,
         }
     }
+
+    /// Where the results go.
+    pub(crate) fn out(&self) -> PathBuf {
+        self.run().out.clone().unwrap_or_else(|| PathBuf::from("out/validate").join(self.name()))
+    }
 }
 
 impl Run {
-    /// Refuses names of no case.
-    pub(crate) fn check(&self, names: &[&str]) -> Result<(), Refused> {
+    /// Refuses names of no case, and a finest resolution that leaves nothing to run.
+    pub(crate) fn check(&self, cases: &[Box<dyn Case>]) -> Result<(), Refused> {
+        let names: Vec<&str> = cases.iter().map(|case| case.name()).collect();
         for name in &self.only {
             let known = format!("give one of {}", names.join(", "));
             Refused::unless(names.contains(&name.as_str()), "--only", name, known)?;
         }
-        Ok(())
+        let chosen = cases.iter().filter(|case| self.takes(case.name()));
+        let coarsest = chosen.flat_map(|case| case.resolutions(self.pace())).min().unwrap_or_default();
+        let finest = self.finest.unwrap_or(usize::MAX);
+        let remedy = format!("the coarsest run of these cases has {coarsest}: give at least that");
+        Refused::unless(finest >= coarsest, "--finest", finest, remedy)
+    }
+
+    /// Whether a case of this name is run.
+    pub(crate) fn takes(&self, name: &str) -> bool {
+        self.only.is_empty() || self.only.iter().any(|only| only == name)
+    }
+
+    /// The resolutions of a case that are run.
+    pub(crate) fn resolutions(&self, case: &dyn Case) -> Vec<usize> {
+        let finest = self.finest.unwrap_or(usize::MAX);
+        case.resolutions(self.pace()).into_iter().filter(|n| *n <= finest).collect()
+    }
+
+    pub(crate) fn pace(&self) -> Pace {
+        if self.quick { Pace::Quick } else { Pace::Full }
     }
 
     pub(crate) fn parallel(&self) -> Result<Parallel, Failure> {

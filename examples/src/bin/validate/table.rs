@@ -77,6 +77,13 @@ impl Table {
         self.cases.push(CaseResults { name, about, resolution, rows, seconds });
     }
 
+    /// The runs that broke off: case and resolution.
+    pub(crate) fn broken(&self) -> Vec<String> {
+        let rows = self.cases.iter().flat_map(|case| case.rows.iter().map(move |row| (case.name, row)));
+        let broken = rows.filter(|(_, row)| row.result.is_err());
+        broken.map(|(name, row)| format!("{name} at {}", row.resolution)).collect()
+    }
+
     /// Writes both files.
     pub(crate) fn write(&self, dir: &Path) -> Result<(), Failure> {
         std::fs::write(dir.join("validation.json"), format!("{:#}\n", self.json()))?;
@@ -162,5 +169,22 @@ fn markdown_row(row: &Row) -> String {
                 measure.metric, measure.unit, measure.value, measure.exact, measure.source
             )
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solid;
+
+    #[test]
+    fn runs_that_broke_off_are_told() {
+        let case = &solid::cases()[0];
+        let mut table = Table::new("solid", true);
+        let good = Measure::new("stress", "Pa", 1.0, 1.0, "none");
+        table.add(case.as_ref(), &[(4, Ok(Outcome::new(vec![good], Vec::new())))], 1.0);
+        assert!(table.broken().is_empty());
+        table.add(case.as_ref(), &[(8, Err("it burst".into()))], 1.0);
+        assert_eq!(table.broken(), [format!("{} at 8", case.name())]);
     }
 }
