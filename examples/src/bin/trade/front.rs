@@ -39,6 +39,8 @@ pub(crate) mod tests {
             also: Vec::new(),
             error_over_tolerance,
             failure: error_over_tolerance.is_none().then(|| "it broke".to_owned()),
+            date: None,
+            machine: None,
         }
     }
 

@@ -32,6 +32,10 @@ pub(crate) struct Row {
     pub(crate) error_over_tolerance: Option<f64>,
     /// Why it failed, if so.
     pub(crate) failure: Option<String>,
+    /// The day it was made.
+    pub(crate) date: Option<String>,
+    /// The machine it was made on.
+    pub(crate) machine: Option<String>,
 }
 
 /// The row of a run whose files are in `dir`.
@@ -64,5 +68,7 @@ pub(crate) fn judge(sweep: &Sweep, setting: &Setting, record: &Record, dir: &Pat
         errors,
         error_over_tolerance: worst,
         failure,
+        date: record.date.clone(),
+        machine: record.machine.clone(),
     }
 }

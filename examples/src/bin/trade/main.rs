@@ -3,6 +3,7 @@
 mod front;
 mod judge;
 mod machine;
+mod origin;
 mod picture;
 mod recommend;
 mod run;
@@ -14,12 +15,12 @@ use judge::{Row, judge};
 use mps_examples::{Failure, exit_code};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use sweep::Sweep;
+use sweep::{Setting, Sweep};
 
 /// Runs a program with the settings of a sweep file, one after the other, and compares error and cost.
 ///
 /// Writes trade.csv, trade.json, trade.md and trade.png after every run, and keeps each run in a directory of its own. Started again,
-/// it goes on with what is missing. docs/trade.md tells what a sweep file says, and examples/trades has some.
+/// it goes on with what is missing, and with --retry-failed makes again what failed. docs/trade.md tells what a sweep file says, and examples/trades has some.
 #[derive(Parser, Clone, Debug)]
 #[command(version, rename_all = "kebab-case")]
 struct Options {
@@ -34,6 +35,9 @@ struct Options {
     /// Run nothing: write the tables again of what is there
     #[arg(long)]
     tables: bool,
+    /// Make the runs again that failed
+    #[arg(long, conflicts_with_all = ["list", "tables"])]
+    retry_failed: bool,
     /// Do not say how far it is
     #[arg(long)]
     quiet: bool,
@@ -56,33 +60,43 @@ fn trade(options: &Options) -> Result<(), Failure> {
     let dir = options.out.clone().unwrap_or_else(|| default_directory(&options.sweep));
     mps_io::prepare_output(&dir)?;
     let program = run::program(&sweep.program)?;
-    let mut rows: Vec<Row> = Vec::new();
-    for (k, setting) in settings.iter().enumerate() {
-        let below = dir.join("runs").join(setting.directory());
-        let known = run::finished(&sweep.program, &below, setting);
-        if known.is_none() && options.tables {
+    let below = |setting: &Setting| dir.join("runs").join(setting.directory());
+    // All that is known, before the first new run: an interruption must not leave tables without runs that are there.
+    let known = settings.iter().map(|setting| {
+        let record = run::finished(&sweep.program, &below(setting), setting)?;
+        Some(judge(&sweep, setting, &record, &below(setting)))
+    });
+    let again = |row: &Row| options.retry_failed && row.failure.is_some();
+    let mut rows: Vec<Option<Row>> = known.collect();
+    let update = |rows: &[Option<Row>]| -> Result<Vec<Row>, Failure> {
+        let there: Vec<Row> = rows.iter().flatten().cloned().collect();
+        write(&sweep, &dir, &there, &options.sweep)?;
+        Ok(there)
+    };
+    if rows.iter().any(Option::is_some) {
+        update(&rows)?;
+    }
+    for (k, setting) in settings.iter().enumerate().filter(|_| !options.tables) {
+        if rows[k].as_ref().is_some_and(|row| !again(row)) {
             continue;
         }
-        let is_new = known.is_none();
-        let record = match known {
-            Some(record) => record,
-            None => {
-                if !options.quiet {
-                    tell(&format!("{} of {}: {}", k + 1, settings.len(), setting.label));
-                }
-                run::run(&sweep.program, &program, &below, setting)?
-            }
-        };
-        rows.push(judge(&sweep, setting, &record, &below));
-        if is_new {
-            write(&sweep, &dir, &rows, &options.sweep)?;
+        if !options.quiet {
+            tell(&format!("{} of {}: {}", k + 1, settings.len(), setting.label));
         }
+        let record = run::run(&sweep.program, &program, &below(setting), setting)?;
+        rows[k] = Some(judge(&sweep, setting, &record, &below(setting)));
+        update(&rows)?;
     }
-    write(&sweep, &dir, &rows, &options.sweep)?;
+    let rows = update(&rows)?;
     if !options.quiet {
         say(&format!("{}results in {}\n", table::recommendations(&sweep, &rows), dir.display()));
     }
-    Ok(())
+    match rows.iter().find_map(|row| row.failure.as_deref()) {
+        Some(first) if rows.iter().all(|row| row.failure.is_some()) => {
+            Err(format!("no run has a result; the first failed: {first}").into())
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Everything that follows from the runs so far.

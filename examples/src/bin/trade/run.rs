@@ -1,7 +1,7 @@
 //! One run: a process of its own, so that its memory and its processor time are its own, and the record by which it is known to be
 //! finished.
 
-use crate::machine::{TICKS, processor_ticks_of_children};
+use crate::machine::{TICKS, machine, processor_ticks_of_children, today};
 use crate::sweep::Setting;
 use mps_examples::Failure;
 use mps_io::Summary;
@@ -23,6 +23,12 @@ pub(crate) struct Record {
     pub(crate) processor_seconds: Option<f64>,
     /// Why it did not come to its end, if so.
     pub(crate) failure: Option<String>,
+    /// The day it was made; `None` of runs that were made when this was not kept.
+    #[serde(default)]
+    pub(crate) date: Option<String>,
+    /// The machine it was made on.
+    #[serde(default)]
+    pub(crate) machine: Option<String>,
 }
 
 impl Record {
@@ -64,6 +70,9 @@ pub(crate) fn run(name: &str, program: &Path, dir: &Path, setting: &Setting) -> 
         .arg(dir)
         .output()
         .map_err(|error| format!("{} cannot be started: {error}", program.display()))?;
+    if output.status.code() == Some(MISREAD) {
+        return Err(misread(name, &output).into());
+    }
     let wall_seconds = clock.elapsed().as_secs_f64();
     let ticks = processor_ticks_of_children().zip(before).map(|(after, before)| after - before);
     let processor_seconds = ticks.map(|ticks| ticks as f64 / TICKS);
@@ -73,6 +82,8 @@ pub(crate) fn run(name: &str, program: &Path, dir: &Path, setting: &Setting) -> 
         wall_seconds,
         processor_seconds,
         failure: failure(dir, &output),
+        date: Some(today()),
+        machine: Some(machine()),
     };
     let stopped = record.failure.as_ref().is_some_and(|words| words.starts_with("stopped by "));
     if output.status.code().is_some() && !stopped {
@@ -82,6 +93,22 @@ pub(crate) fn run(name: &str, program: &Path, dir: &Path, setting: &Setting) -> 
         std::fs::rename(part, dir.join("run.json"))?;
     }
     Ok(record)
+}
+
+/// Exit status of a program that does not understand its arguments.
+const MISREAD: i32 = 2;
+
+/// Arguments that the program does not have, or not with this value, or not together. They are the mistake of the sweep file: no further run is made, and
+/// this one leaves no record.
+fn misread(name: &str, output: &Output) -> String {
+    let words = String::from_utf8_lossy(&output.stderr);
+    // The first paragraph says what, the others what might be meant and how it is used.
+    let said: Vec<&str> = words.lines().take_while(|line| !line.starts_with("Usage:")).collect();
+    let said = said.join(" ").split_whitespace().collect::<Vec<_>>().join(" ");
+    let said = said.trim_start_matches("error:").trim();
+    format!(
+        "{name} does not take these arguments: {said}. Correct the flag in the sweep file; `{name} --help` names all"
+    )
 }
 
 /// Why a run did not come to its end: its own words.

@@ -2,7 +2,7 @@
 
 use crate::front::front;
 use crate::judge::Row;
-use crate::machine::{machine, today};
+use crate::origin::Origin;
 use crate::recommend::recommend;
 use crate::sweep::Sweep;
 use mps_examples::Failure;
@@ -11,12 +11,13 @@ use std::path::Path;
 
 /// Writes `trade.md`, `trade.csv` and `trade.json`.
 pub(crate) fn write(sweep: &Sweep, dir: &Path, rows: &[Row], command: &str) -> Result<(), Failure> {
+    let origin = Origin::of(rows);
     std::fs::write(dir.join("trade.csv"), csv(sweep, rows))?;
     let json = serde_json::json!({
         "title": sweep.title,
         "program": sweep.program,
-        "date": today(),
-        "machine": machine(),
+        "dates": origin.dates,
+        "machines": origin.machines,
         "command": command,
         "counts": sweep.counts.iter().map(|count| &count.metric).collect::<Vec<_>>(),
         "also": sweep.also,
@@ -26,10 +27,8 @@ pub(crate) fn write(sweep: &Sweep, dir: &Path, rows: &[Row], command: &str) -> R
     });
     std::fs::write(dir.join("trade.json"), format!("{json:#}\n"))?;
     let text = format!(
-        "# {}\n\n{}, {}, `{command}`\n\n{}\n{}",
+        "# {}\n\n{origin}, `{command}`\n\n{}\n{}",
         sweep.title,
-        today(),
-        machine(),
         markdown(sweep, rows),
         recommendations(sweep, rows)
     );
@@ -89,7 +88,7 @@ fn csv(sweep: &Sweep, rows: &[Row]) -> String {
     for name in names.chain(sweep.also.iter().cloned()).chain(["error over tolerance [-]".to_owned()]) {
         let _ = write!(text, ",{}", if name.contains(',') { quoted(&name) } else { name });
     }
-    text.push_str(",best,failure\n");
+    text.push_str(",best,failure,date,machine\n");
     let best = front(rows);
     for (k, row) in rows.iter().enumerate() {
         let memory = row.peak_memory_bytes.map_or(String::new(), |bytes| bytes.to_string());
@@ -102,7 +101,9 @@ fn csv(sweep: &Sweep, rows: &[Row]) -> String {
             let _ = write!(text, ",{}", number(value));
         }
         let failure = row.failure.as_deref().unwrap_or_default();
-        let _ = writeln!(text, ",{},{}", u8::from(best.contains(&k)), quoted(failure));
+        let [date, machine] =
+            [&row.date, &row.machine].map(|word| quoted(word.as_deref().unwrap_or_default()));
+        let _ = writeln!(text, ",{},{},{date},{machine}", u8::from(best.contains(&k)), quoted(failure));
     }
     text
 }
