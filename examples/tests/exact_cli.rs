@@ -64,6 +64,19 @@ fn every_flag_reaches_the_numerics() {
     assert_eq!(own.metrics["profile at 1"].value, corrected.metrics["profile at 1"].value);
 }
 
+/// Pictures of another problem would be taken for results of the summary beside them.
+#[test]
+fn what_an_earlier_run_has_left_is_not_beside_the_new_one() {
+    let dir = fresh("exact", "leftovers");
+    std::fs::create_dir_all(&dir).unwrap();
+    for file in ["standing-wave-mode.png", "photo.png"] {
+        std::fs::write(dir.join(file), "earlier").unwrap();
+    }
+    let output = exact(&dir, &["--problem=poiseuille", "--resolution=8"]);
+    assert!(output.status.success(), "{}", words(&output.stderr));
+    assert!(!dir.join("standing-wave-mode.png").exists() && dir.join("photo.png").exists());
+}
+
 #[test]
 fn mistakes_are_told() {
     let dir = fresh("exact", "refused");

@@ -4,7 +4,7 @@ use super::case::{Case, Measure, Outcome, Pace, Plot};
 use super::measures::rms;
 use super::numerics::Numerics;
 use super::scene::{NU, WIDTH, advance, channel};
-use crate::Failure;
+use crate::{Failure, Watch};
 use core::f64::consts::PI;
 use mps_io::CurvePlot;
 use mps_kernel::weights::WendlandC2;
@@ -50,7 +50,7 @@ impl Case for Couette {
         let mut outcome = Outcome::default();
         let metrics = ["profile at 0.045", "profile at 0.225", "profile at 1"];
         for (look, metric) in LOOKS.into_iter().zip(metrics) {
-            advance(&mut fluid, parallel, look * WIDTH * WIDTH / NU, |_| ())?;
+            advance(&mut fluid, parallel, &Watch::nobody(), look * WIDTH * WIDTH / NU, |_| ())?;
             let now = fluid.time() * NU / (WIDTH * WIDTH);
             let particles = fluid.particles();
             let u = &particles.velocity;

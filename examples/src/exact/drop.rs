@@ -124,7 +124,7 @@ impl Problem for Drop {
         let angular = angular_size(fluid.particles());
         let (mut time, mut rate) = (Vec::new(), Vec::new());
         let (mut drift, mut turn) = (0.0_f64, 0.0_f64);
-        advance_in_central_field(&mut fluid, parallel, OMEGA, end, |fluid| {
+        advance_in_central_field(&mut fluid, parallel, &self.choice.watch, OMEGA, end, |fluid| {
             time.push(fluid.time().to_double());
             rate.push(strain(fluid.particles()));
             drift = drift.max(in_double(&fluid.momentum(parallel)).norm() / size);

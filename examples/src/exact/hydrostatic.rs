@@ -97,7 +97,7 @@ impl<const D: usize> Problem for Hydrostatic<D> {
         let start = fluid.energy(parallel).potential.to_double();
         let mut watch = Watch::default();
         let (mut time, mut kinetic) = (Vec::new(), Vec::new());
-        advance(&mut fluid, parallel, end, |fluid| {
+        advance(&mut fluid, parallel, &self.choice.watch, end, |fluid| {
             if fluid.steps().is_multiple_of(20) {
                 time.push(fluid.time().to_double());
                 kinetic.push(fluid.energy(parallel).kinetic.to_double() / start);

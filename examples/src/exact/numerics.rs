@@ -2,7 +2,7 @@
 
 use super::case::{Outcome, Pace};
 use crate::scene::Viscous;
-use crate::{Failure, Precision, Refused};
+use crate::{Failure, Precision, Refused, Watch};
 use clap::{Args, ValueEnum};
 use mps_fluid::{Diffusion, Dpc, FluidConfig, PressureForm, Shifting};
 use mps_io::Summary;
@@ -10,6 +10,7 @@ use mps_io::scene_file::{Viscosity, Weight};
 use mps_kernel::weights::{Rational, WendlandC2, WendlandGradient};
 use mps_kernel::{Kernel, Real, ReferenceDensity};
 use mps_neighbors::Parallel;
+use std::sync::Arc;
 
 /// Flags for the numerics of an exact problem. What is left out is as `validate` has it.
 #[derive(Args, Clone, Debug, Default)]
@@ -177,12 +178,14 @@ pub struct Choice {
     pub numerics: Numerics,
     /// The scalar type.
     pub precision: Precision,
+    /// Who may want the run to end.
+    pub watch: Arc<Watch>,
 }
 
 impl Default for Choice {
     /// As `validate` has it.
     fn default() -> Self {
-        Self { numerics: Numerics::default(), precision: Precision::F64 }
+        Self { numerics: Numerics::default(), precision: Precision::F64, watch: Arc::new(Watch::nobody()) }
     }
 }
 

@@ -48,7 +48,7 @@ impl Problem for Poiseuille {
         let (mut measures, mut curves) = (Vec::new(), Vec::new());
         let metrics = ["profile at 0.045", "profile at 0.225", "profile at 1"];
         for (look, metric) in LOOKS.into_iter().zip(metrics) {
-            advance(&mut fluid, parallel, look * WIDTH * WIDTH / NU, |_| ())?;
+            advance(&mut fluid, parallel, &self.choice.watch, look * WIDTH * WIDTH / NU, |_| ())?;
             let now = fluid.time().to_double() * NU / (WIDTH * WIDTH);
             let particles = fluid.particles();
             let u = &particles.velocity;

@@ -4,7 +4,7 @@ use super::case::{Case, Curve, Measure, Outcome, Pace, Plot};
 use super::drop::{RADIUS, disc};
 use super::measures::angular_momentum;
 use super::scene::{RHO, Water, advance_in_central_field, press, water};
-use crate::Failure;
+use crate::{Failure, Watch};
 use core::f64::consts::PI;
 use mps_fluid::{ArtificialViscosity, Boundary, Fluid};
 use mps_io::CurvePlot;
@@ -58,7 +58,7 @@ impl Case for Rotation {
         let energy = fluid.energy(parallel).kinetic;
         let mut turn = 0.0_f64;
         let (mut time, mut kinetic) = (Vec::new(), Vec::new());
-        advance_in_central_field(&mut fluid, parallel, OMEGA, end, |fluid| {
+        advance_in_central_field(&mut fluid, parallel, &Watch::nobody(), OMEGA, end, |fluid| {
             turn = turn.max((angular_momentum(fluid.particles()) / start - 1.0).abs());
             time.push(fluid.time());
             kinetic.push(fluid.energy(parallel).kinetic / energy);

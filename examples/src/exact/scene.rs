@@ -1,9 +1,9 @@
 //! What the cases are built of: tanks and channels.
 
 use super::numerics::Numerics;
-use crate::Failure;
 pub(crate) use crate::basin::{lattice, press, walls, water};
 use crate::scene::Viscous;
+use crate::{Failure, Watch};
 use mps_fluid::{
     Boundary, Fluid, FluidConfig, FluidParticles, PressureForm, Shifting, Slip, Tension, Viscosity,
 };
@@ -98,10 +98,11 @@ pub(crate) fn channel<T: Real, K: Kernel<T>>(
     Ok(Fluid::new(config, weight, viscosity, domain, particles, boundary)?)
 }
 
-/// Steps to `end` \[s\] and looks before every step and at the end.
+/// Steps to `end` \[s\] and looks before every step and at the end, unless `watch` is asked for the end before.
 pub(crate) fn advance<T, const D: usize, K, V, P>(
     fluid: &mut Fluid<T, D, K, V, P>,
     parallel: &Parallel,
+    watch: &Watch,
     end: f64,
     mut look: impl FnMut(&Fluid<T, D, K, V, P>),
 ) -> Result<(), Failure>
@@ -113,16 +114,23 @@ where
 {
     while fluid.time().to_double() < end {
         look(fluid);
+        asked(fluid.time(), watch)?;
         fluid.step(parallel)?;
     }
     look(fluid);
     Ok(())
 }
 
-/// Steps to `end` \[s\] in the central field `-omega^2 r` around the origin.
+/// Ends a run at this time \[s\] whose end has been asked for.
+fn asked(time: impl Real, watch: &Watch) -> Result<(), Failure> {
+    watch.stopped(time.to_double()).map_or(Ok(()), Err)
+}
+
+/// As [`advance`], in the central field `-omega^2 r` around the origin.
 pub(crate) fn advance_in_central_field<T: Real, K: Kernel<T>, V: Viscosity<T, 2>>(
     fluid: &mut Fluid<T, 2, K, V>,
     parallel: &Parallel,
+    watch: &Watch,
     omega: f64,
     end: f64,
     mut look: impl FnMut(&Fluid<T, 2, K, V>),
@@ -130,6 +138,7 @@ pub(crate) fn advance_in_central_field<T: Real, K: Kernel<T>, V: Viscosity<T, 2>
     let stiffness = T::of(-(omega * omega));
     while fluid.time().to_double() < end {
         look(fluid);
+        asked(fluid.time(), watch)?;
         let dt = fluid.begin_step(parallel)?;
         fluid.add_acceleration(parallel, |r| r * stiffness);
         fluid.finish_step(parallel, dt);

@@ -118,7 +118,7 @@ impl Problem for StandingWave {
         let mut fluid = build::<T, K>(n, exact.viscosity, weight, &self.choice.numerics)?;
         let period = 2.0 * PI / omega();
         let (mut time, mut amplitude) = (Vec::new(), Vec::new());
-        advance(&mut fluid, parallel, pace.choose(2.6, 3.6) * period, |fluid| {
+        advance(&mut fluid, parallel, &self.choice.watch, pace.choose(2.6, 3.6) * period, |fluid| {
             time.push(fluid.time().to_double());
             amplitude.push(share(fluid));
         })?;

@@ -98,7 +98,7 @@ impl Problem for TaylorGreen {
         let start = fluid.energy(parallel).kinetic.to_double();
         let (mut time, mut speed) = (Vec::new(), Vec::new());
         let (mut worst, mut packing) = (0.0_f64, 0.0_f64);
-        advance(&mut fluid, parallel, end, |fluid| {
+        advance(&mut fluid, parallel, &self.choice.watch, end, |fluid| {
             time.push(fluid.time().to_double());
             speed.push((fluid.energy(parallel).kinetic.to_double() / start).sqrt());
             if fluid.steps().is_multiple_of(50) {

@@ -4,11 +4,12 @@ mod options;
 
 use clap::Parser;
 use mps_examples::exact::{Case, Choice, Outcome, Pace, draw, tunable};
-use mps_examples::{Cost, Failure, Watch, conclude, enter_results, exit_code};
+use mps_examples::{Cost, Failure, Watch, conclude, enter_results, exit_code, remove_leftovers};
 use mps_io::Summary;
 use options::Options;
 use std::path::Path;
 use std::process::ExitCode;
+use std::sync::Arc;
 use std::time::Instant;
 
 fn main() -> ExitCode {
@@ -16,11 +17,14 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), Failure> {
-    let choice = Choice { numerics: options.numerics.clone(), precision: options.common.precision };
-    let problems = tunable(&choice);
-    let problem = options.check(&problems)?;
+    options.check(&tunable(&Choice::default()))?;
     let dir = options.common.output("exact")?;
-    let _log = Watch::begin(&dir, &options.common)?;
+    let watch = Arc::new(Watch::begin(&dir, &options.common)?);
+    let problems =
+        tunable(&Choice { numerics: options.numerics.clone(), precision: options.common.precision, watch });
+    let problem = options.check(&problems)?;
+    remove_leftovers(&dir, &pictures(&problems))?;
+    remove_leftovers(&dir, &["summary.json".to_owned()])?;
     let parallel = options.common.parallel()?;
     let clock = Instant::now();
     // Inside the pool the loops of a step need no hand-over between threads.
@@ -34,6 +38,15 @@ fn run(options: &Options) -> Result<(), Failure> {
     let summary = summary(options, problem, &outcome, parallel.threads(), seconds, failure.as_ref());
     conclude(Path::new(&dir), &summary, &options.common, failure.is_none())?;
     failure.map_or(Ok(()), Err)
+}
+
+/// Pictures of all problems: those of another one would be taken for results of the summary beside them.
+fn pictures(problems: &[Box<dyn Case>]) -> Vec<String> {
+    let mut names = Vec::new();
+    for problem in problems {
+        names.extend(problem.plots().iter().map(|plot| format!("{}-{}.png", problem.name(), plot.name)));
+    }
+    names
 }
 
 /// Settings, cost and errors.
