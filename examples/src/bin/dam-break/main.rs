@@ -69,8 +69,7 @@ fn run_all(options: &Options) -> Result<(), Failure> {
     }
     options.settings()?;
     let dir = options.common.out.clone().unwrap_or_else(|| "out/stabilisers".into());
-    // One that ends early has its row as well.
-    stabilisers::compare(options, &dir, |options| Ok(run_with_precision(options)?.0))
+    stabilisers::compare(options, &dir, run_with_precision)
 }
 
 /// The results of a run and how it ended.
@@ -97,8 +96,8 @@ fn run<T: Real, K: Kernel<T>>(options: &Options, weight: K) -> Result<Ended, Fai
     let mut dam = DamBreak::<T, K>::new(&settings, weight)?;
     if !options.no_books {
         dam.fluid_mut().keep_books();
-    remove_leftovers(&dir, WRITTEN)?;
     }
+    remove_leftovers(&dir, WRITTEN)?;
     let mut observer = Observer::new(&dir, &mut dam, &parallel)?;
     let fields = if options.common.no_fields { None } else { Some(Fields::new(&dir, &dam)?) };
     let (end, watch, mut seconds) = (settings.end_time, Watch::begin(&dir, &options.common)?, 0.0);
