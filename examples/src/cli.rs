@@ -75,6 +75,28 @@ impl Refused {
         if good { Ok(()) } else { Err(Self { flag, value: value.to_string(), remedy: remedy.into() }) }
     }
 
+    /// Refuses a `--spacing` \[m\] of which `length` \[m\] is no whole number: `what` would end up to half a particle before or behind where it is
+    /// to. A twentieth of a particle is let pass, for numbers that were rounded.
+    ///
+    /// # Errors
+    /// If it is none: the nearest ones that are.
+    pub fn unless_whole(length: f64, spacing: f64, what: &str) -> Result<(), Self> {
+        let particles = length / spacing;
+        let good = (particles - particles.round()).abs() <= 0.05;
+        // As short as it can be said, which is near enough.
+        let written = |count: f64| {
+            (0..9).map(|digits| format!("{:.digits$e}", length / count)).find(|text| {
+                text.parse::<f64>().is_ok_and(|spacing| (length / spacing - count).abs() <= 0.01)
+            })
+        };
+        let [finer, coarser] =
+            [particles.ceil(), particles.floor()].map(|count| written(count).unwrap_or_default());
+        let remedy = format!(
+            "{what} of {length} m would be {particles:.2} particles; give a whole number of them, the nearest are {finer} and {coarser}"
+        );
+        Self::unless(good, "--spacing", spacing, remedy)
+    }
+
     /// Refuses more `--shifting` than anybody wants: each part costs a sweep over all particles.
     ///
     /// # Errors
@@ -119,5 +141,24 @@ impl Common {
         let dir = self.out.clone().unwrap_or_else(|| PathBuf::from("out").join(program));
         mps_io::prepare_output(&dir)?;
         Ok(dir)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spacing_has_to_fit_and_the_nearest_that_do_are_named() {
+        for fits in [2.5e-3, 1.25e-3, 1e-3, 6.25e-4, 2e-3, 1.667e-3, 5e-5, 0.1 / 1999.0] {
+            assert_eq!(Refused::unless_whole(0.1, fits, "the water"), Ok(()), "{fits}");
+        }
+        for (spacing, near) in [(1.8e-3, ["1.786e-3", "1.818e-3"]), (5.001e-5, ["5e-5", "5.0025e-5"])] {
+            let said = Refused::unless_whole(0.1, spacing, "the water").unwrap_err().remedy;
+            assert!(said.ends_with(&format!("the nearest are {} and {}", near[0], near[1])), "{said}");
+            for near in near {
+                assert_eq!(Refused::unless_whole(0.1, near.parse().unwrap(), "the water"), Ok(()), "{near}");
+            }
+        }
     }
 }

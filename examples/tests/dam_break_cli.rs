@@ -32,6 +32,7 @@ fn what_cannot_be_run_is_refused_with_the_flag_and_a_remedy() {
         ("--spacing", "inf", "metres"),
         ("--spacing", "0.05", "give at most 3e-2 m"),
         ("--spacing", "1e-9", "give at least"),
+        ("--spacing", "0.0225", "the nearest are 2.222e-2 and 2.308e-2"),
         ("--radius", "1", "e.g. 4"),
         ("--radius", "nan", "e.g. 4"),
         ("--end-time", "0", "seconds"),

@@ -32,6 +32,7 @@ fn what_cannot_be_run_is_refused_with_the_flag_and_a_remedy() {
         ("--spacing", "inf", "metres"),
         ("--spacing", "5e-3", "give at most 2.5e-3 m"),
         ("--spacing", "1e-9", "give at least"),
+        ("--spacing", "1.8e-3", "the nearest are 1.786e-3 and 1.818e-3"),
         ("--end-time", "0", "seconds"),
         ("--end-time", "-0.1", "seconds"),
         ("--end-time", "nan", "seconds"),

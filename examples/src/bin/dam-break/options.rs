@@ -118,6 +118,8 @@ impl Options {
             l0,
             "more than four million particles would be needed; give at least 4e-4 m",
         )?;
+        // The unit of all results, and half of the length of the column, which ends at the gate.
+        Refused::unless_whole(HEIGHT, l0, "the height of the column")?;
         Refused::unless(
             (2.0..=6.0).contains(&self.radius()),
             "--radius",

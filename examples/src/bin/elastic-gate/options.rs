@@ -1,7 +1,7 @@
 //! The command line of the program, and the settings it stands for.
 
 use crate::reference::{EXPERIMENT_MAXIMUM, KHAYYER_2018, Maximum, NG_2020, SPHINXSYS};
-use crate::setup::{GATE_THICKNESS, Rubber, Settings};
+use crate::setup::{GATE_THICKNESS, RESERVOIR_WIDTH, Rubber, Settings};
 use clap::{Parser, ValueEnum};
 use mps_examples::{Common, Preset, PresetFlag, Refused, Weight};
 use mps_fluid::PressureForm;
@@ -161,6 +161,8 @@ impl Options {
             l0,
             "more than five million particles would be needed; give at least 5e-5 m",
         )?;
+        // Otherwise the water begins inside the gate, or away from it. Its surface may lie where it comes to lie.
+        Refused::unless_whole(RESERVOIR_WIDTH, l0, "the width of the reservoir")?;
         Refused::unless(
             positive(self.end_time),
             "--end-time",
