@@ -43,6 +43,19 @@ fn the_flag_hangs_as_far_as_published() {
     assert!((metric(&out, "uy") / -66.10e-3 - 1.0).abs() < 0.016);
 }
 
+/// The largest tolerance that is told to be allowed is, and the log is written.
+#[test]
+fn a_flag_may_hang_roughly_and_is_logged() {
+    let out = fresh("csm1-roughly");
+    let arguments =
+        ["--test", "csm1", "--across", "2", "--tolerance", "0.01", "--no-fields", "--log", "debug"];
+    let output = run(env!("CARGO_BIN_EXE_flag-structure"), &out, &arguments);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(metric(&out, "residual") <= 0.01 && metric(&out, "uy") < -0.03);
+    let log = std::fs::read_to_string(out.join("run.log")).unwrap();
+    assert!(log.contains("completed"), "{log}");
+}
+
 #[test]
 fn what_cannot_be_run_is_refused_with_the_flag_and_a_remedy() {
     let cases: [(&str, &[&str], &str); 4] = [
