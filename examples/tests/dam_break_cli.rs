@@ -187,6 +187,20 @@ fn quiet_prints_nothing_and_without_fields_there_are_none() {
     assert_eq!(left, [&plots[..], &["probes.csv", "run.log", "summary.json"]].concat());
 }
 
+/// What was not asked for is not said to lie behind the end of the run.
+#[test]
+fn results_of_books_that_are_switched_off_are_told_so() {
+    let dir = fresh("no-books");
+    run(&dir, &["--end-time", "0.005", "--quiet", "--no-fields", "--no-books"]);
+    let summary = Summary::read(dir.join("summary.json")).unwrap();
+    for name in ["energy_closure", "energy_by_viscosity", "energy_by_walls"] {
+        assert!(!summary.metrics.contains_key(name));
+        let note = format!("{name}: switched off by --no-books");
+        assert!(summary.notes.contains(&note), "{:?}", summary.notes);
+    }
+    assert!(summary.notes.contains(&"front_rms: the run ended before".to_owned()), "{:?}", summary.notes);
+}
+
 #[test]
 fn watching_and_threads_do_not_change_a_bit_of_the_run() {
     let probes = |name: &str, arguments: &[&str]| {

@@ -83,7 +83,11 @@ pub(crate) fn summary<T: Real, K: Kernel<T>>(
     summary.particles.insert("fluid".into(), cost.particles as u64);
     summary.particles.insert("wall".into(), fluid.boundary().len() as u64);
     cost.enter(&mut summary, &options.common, failure);
-    enter_results(&mut summary, results(settings, observer));
+    let (known, switched_off): (Vec<_>, Vec<_>) = results(settings, observer)
+        .into_iter()
+        .partition(|(name, _)| observer.energy_open.is_some() || !is_of_the_books(name));
+    enter_results(&mut summary, known);
+    summary.notes.extend(switched_off.iter().map(|(name, _)| format!("{name}: switched off by --no-books")));
     enter_compressibility(&mut summary, fluid);
     summary
 }
@@ -108,6 +112,11 @@ fn energy_plot(options: &Options, observer: &Observer, time: &[f64]) -> CurvePlo
 
 /// What gives and takes energy, in the order of [`Sample::received`].
 const CAUSES: [&str; 5] = ["viscosity", "diffusion", "collisions", "shifting", "walls"];
+
+/// Whether a result is one of energy split by its causes.
+fn is_of_the_books(name: &str) -> bool {
+    name == "energy_closure" || name.starts_with("energy_by_")
+}
 
 /// Results by name; `None` where the run has not come so far.
 fn results(settings: &Settings, observer: &Observer) -> Vec<(String, Option<Metric>)> {
