@@ -153,7 +153,7 @@ fn a_run_leaves_tables_pictures_fields_and_a_summary() {
     for name in [
         "interface_momentum_residual",
         "leaked_particles",
-        "energy_closure",
+        "energy_rise",
         "wall_seconds_per_simulated_second",
         "particle_steps_per_second",
     ] {
@@ -222,7 +222,8 @@ fn single_precision_agrees_with_double() {
     let run_in = |precision: &str| {
         let dir = fresh(precision);
         run(&dir, &["--end-time", "0.01", "--no-fields", "--quiet", "--precision", precision]);
-        Summary::read(dir.join("summary.json")).unwrap()
+        let summary = Summary::read(dir.join("summary.json")).unwrap();
+        (summary.precision, CsvTable::read(dir.join("probes.csv")).unwrap())
     };
     let (single, double) = (run_in("f32"), run_in("f64"));
     assert_eq!((single.0.as_str(), double.0.as_str()), ("f32", "f64"));

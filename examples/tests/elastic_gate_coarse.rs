@@ -18,7 +18,7 @@ fn keeps_its_books(summary: &Summary, most: f64) {
     assert_eq!(value("leaked_particles"), 0.0);
     let residual = value("interface_momentum_residual");
     assert!(residual < 1e-12, "action and reaction differ by {residual:e}");
-    let rise = value("energy_closure");
+    let rise = value("energy_rise");
     assert!(rise <= most, "the total energy has risen by {rise:e} of what the water can give");
 }
 
