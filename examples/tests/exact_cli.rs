@@ -82,6 +82,10 @@ fn mistakes_are_told() {
     let dir = fresh("exact", "refused");
     for (arguments, message) in [
         (["--problem=flood", "--resolution=10"], "--problem is flood: give one of poiseuille, drop"),
+        (
+            ["--problem=standing-wave", "--resolution=25"],
+            "--resolution is 25: the tank is half as deep as long",
+        ),
         (["--problem=drop", "--resolution=2"], "--resolution is 2"),
         (["--problem=drop", "--radius=5"], "--resolution"),
     ] {

@@ -1,6 +1,6 @@
 //! What a case is: a problem with a known solution, run at several resolutions.
 
-use crate::Failure;
+use crate::{Failure, Refused};
 use mps_fluid::{Fluid, Viscosity};
 use mps_io::{CurvePlot, Metric};
 use mps_kernel::{Kernel, Real};
@@ -20,6 +20,14 @@ pub trait Case: Sync {
 
     /// The resolutions, coarsest first.
     fn resolutions(&self, pace: Pace) -> Vec<usize>;
+
+    /// Refuses a resolution at which it is not the problem it says.
+    ///
+    /// # Errors
+    /// If it is not: what to give.
+    fn check(&self, _resolution: usize) -> Result<(), Refused> {
+        Ok(())
+    }
 
     /// Simulates at one resolution and measures.
     ///

@@ -5,9 +5,9 @@ use super::measures::{in_double, states};
 use super::numerics::{Choice, Numerics, Problem};
 use super::scene::{GRAVITY, SOUND, advance, heavy_water, tank};
 use super::viscous_wave::ViscousWave;
-use crate::Failure;
 use crate::scene::Viscous;
 use crate::series::{decay_rate, peaks_between, zeros};
+use crate::{Failure, Refused};
 use core::f64::consts::PI;
 use mps_fluid::Fluid;
 use mps_io::CurvePlot;
@@ -153,6 +153,11 @@ impl Case for StandingWave {
 
     fn resolutions(&self, pace: Pace) -> Vec<usize> {
         pace.choose(vec![24, 32], vec![32, 64, 100])
+    }
+
+    fn check(&self, n: usize) -> Result<(), Refused> {
+        let remedy = "the tank is half as deep as long: give an even number of particles, e.g. 32";
+        Refused::unless(n.is_multiple_of(2), "--resolution", n, remedy)
     }
 
     fn run(&self, n: usize, pace: Pace, parallel: &Parallel) -> Result<Outcome, Failure> {

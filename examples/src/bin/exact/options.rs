@@ -32,10 +32,12 @@ impl Options {
         self.common.check()?;
         let named = problems.iter().find(|problem| problem.name() == self.problem);
         let names: Vec<&str> = problems.iter().map(|problem| problem.name()).collect();
-        named.map(AsRef::as_ref).ok_or_else(|| Refused {
+        let problem = named.map(AsRef::as_ref).ok_or_else(|| Refused {
             flag: "--problem",
             value: self.problem.clone(),
             remedy: format!("give one of {}", names.join(", ")),
-        })
+        })?;
+        problem.check(n)?;
+        Ok(problem)
     }
 }
