@@ -48,7 +48,7 @@ const MAP: &[(&str, Known)] = &[
     ("small-and-large", Holds(&[1e-9, 1e9])),
     ("impact", Between(0.6, 0.7)),
     ("impact-3d", Between(0.5, 0.7)),
-    ("mach-3d", Between(1.6, 2.0)),
+    ("mach-3d", Between(2.0, 3.0)),
     ("spacing-3d", Between(7.0, 6.0)),
     ("disorder-3d", Between(0.1, 0.15)),
     // 4,500 and 45,000 steps; 450 at 10.
