@@ -1,8 +1,19 @@
 //! Time that many small steps add up to.
 
 use crate::{Real, Transfer};
+use core::ops::{Add, Sub};
 
-/// A time \[s\], and what rounding has taken off the steps that led to it (Kahan 1965, Commun. ACM 8:40): in single precision a thousand seconds of steps of a
+/// `sum + part`, and in `remainder` what rounding takes off it, which comes along with the next part (Kahan 1965, Commun. ACM 8:40). All in the unit of
+/// the sum.
+#[inline]
+pub fn add_carrying<V: Copy + Add<Output = V> + Sub<Output = V>>(sum: V, part: V, remainder: &mut V) -> V {
+    let part = part + *remainder;
+    let next = sum + part;
+    *remainder = part - (next - sum);
+    next
+}
+
+/// A time \[s\], and what rounding has taken off the steps that led to it ([`add_carrying`]): in single precision a thousand seconds of steps of a
 /// microsecond would else stand still, and steps of the same length be all rounded to the same side.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Clock<T> {
@@ -18,10 +29,9 @@ impl<T: Real> Clock<T> {
 
     /// The clock `dt` \[s\] later.
     #[must_use]
-    pub fn after(self, dt: T) -> Self {
-        let step = dt + self.owed;
-        let now = self.now + step;
-        Self { now, owed: step - (now - self.now) }
+    pub fn after(mut self, dt: T) -> Self {
+        self.now = add_carrying(self.now, dt, &mut self.owed);
+        self
     }
 
     /// Saves it or restores it.

@@ -77,7 +77,7 @@ mod store;
 pub mod tensor;
 pub mod weights;
 
-pub use clock::Clock;
+pub use clock::{Clock, add_carrying};
 pub use lanes::{F32Lanes, F64Lanes, Lanes};
 pub use lattice_waves::{LatticeNeighbor, LatticeWaves, WaveSymbols};
 pub use neighborhood::{Neighborhood, PairOperator, apply};

@@ -11,7 +11,7 @@
 //! Rayleigh quotient of the motion. Masses are those of the body and the step is its stable one, so that a thin
 //! body needs about as many steps as a few periods of its slowest mode.
 
-use crate::sweeps::go;
+use crate::sweeps::displaced;
 use crate::{ConstitutiveModel, Solid, SolidError, SolidParticles};
 use mps_kernel::{Kernel, Real, Vector};
 use mps_neighbors::Parallel;
@@ -134,7 +134,7 @@ where
             let moved = (position.as_mut_slice(), velocity.as_mut_slice(), self.remainder.as_mut_slice());
             parallel.update(moved, |i, (x, u, remainder)| {
                 *u = *u * keep + total[i] * (kick / mass[i]);
-                *x = go(x, *u * dt, remainder);
+                *x = displaced(x, *u * dt, remainder);
             });
             core::mem::swap(&mut before, &mut total);
             self.refresh(parallel)?;

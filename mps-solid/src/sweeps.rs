@@ -6,7 +6,7 @@ use crate::supports::Held;
 use crate::{ConstitutiveModel, Solid, SolidError, SolidParticles};
 use core::sync::atomic::{AtomicUsize, Ordering};
 use mps_kernel::tensor::determinant;
-use mps_kernel::{Kernel, Real, Vector};
+use mps_kernel::{Kernel, Real, Vector, add_carrying};
 use mps_neighbors::Parallel;
 
 impl<T, const D: usize, M, K> Solid<T, D, M, K>
@@ -89,7 +89,7 @@ where
         parallel.update(moved, |i, (x, u, remainder)| {
             let before = *u;
             *u = *u * keep + ((force[i] + external[i]) / mass[i] + gravity) * push;
-            let there = go(x, *u * drift, remainder);
+            let there = displaced(x, *u * drift, remainder);
             (*x, *u) = if supports.axes[i] == 0 {
                 (there, *u)
             } else {
@@ -119,7 +119,7 @@ where
             let before = *u;
             let force = internal_force(pairs.row(i), i, here, inner);
             *u = *u * keep + ((force + external[i]) / mass[i] + gravity) * push;
-            *next = go(&here[i], *u * step, remainder);
+            *next = displaced(&here[i], *u * step, remainder);
             if supports.axes[i] != 0 {
                 *remainder = supports.of_free_axes(i, *remainder);
                 (*next, *u) = supports.hold(i, (&here[i], &before), (*next, *u), step);
@@ -134,22 +134,16 @@ where
     }
 }
 
-/// Changes of one smaller than single precision can hold.
-const DOUBLE: f64 = 1e-12;
+/// Changes of one that single precision cannot hold, and double can.
+const SMALL: f64 = 1e-12;
 
-/// Where a particle at `x` is after the `way`. What the last place of a coordinate cannot hold, half a unit of it at most, is kept as the `remainder` and comes along
-/// with the next way: otherwise a body in single precision would not move at all where a sub-step is shorter than that (Kahan 1965).
-pub(crate) fn go<T: Real, const D: usize>(
+/// Where a particle at `x` is after the `way` \[m\]. In single precision what the last place of a coordinate cannot hold, half a unit of it at most, is kept as the
+/// `remainder`: a body would not move at all otherwise where its sub-steps are shorter than that.
+pub(crate) fn displaced<T: Real, const D: usize>(
     x: &Vector<T, D>,
     way: Vector<T, D>,
     remainder: &mut Vector<T, D>,
 ) -> Vector<T, D> {
-    // Known when this is compiled: in double precision the last place is never missed.
-    if T::one() + T::of(DOUBLE) != T::one() {
-        return x + way;
-    }
-    let way = way + *remainder;
-    let there = x + way;
-    *remainder = way - (there - x);
-    there
+    // Known when this is compiled: double precision never misses its last place.
+    if T::one() + T::of(SMALL) == T::one() { add_carrying(*x, way, remainder) } else { x + way }
 }
