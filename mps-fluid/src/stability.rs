@@ -2,11 +2,7 @@
 
 use crate::Diffusion;
 use crate::terms::Viscosity;
-use core::f64::consts::PI;
 use mps_kernel::{Kernel, LatticeWaves, Pair, Real, ReferenceDensity, Tensor, Vector};
-
-/// Waves along an axis, but the longest: enough for the stiffest one to 1 %.
-const GRID: usize = 8;
 
 /// Square of the slope below which a wave has none: it alternates along its axes \[-\].
 const FLAT: f64 = 1e-12;
@@ -34,7 +30,7 @@ pub(crate) fn stable_courant_number<T: Real, const D: usize, K: Kernel<T>, V: Vi
             (near.offset, drag(viscosity, &Pair::new(0, offset, kernel, reference.radius)) * time)
         })
         .collect();
-    let stiffness = wave_vectors::<D>().fold(0.0_f64, |most, k| {
+    let stiffness = LatticeWaves::<D>::wave_vectors().fold(0.0_f64, |most, k| {
         let wave = waves.symbols(&k);
         let diffused = match diffusion {
             Diffusion::None => 0.0,
@@ -71,18 +67,4 @@ fn along<const D: usize>(taken: &Tensor<f64, D>, slope: &Vector<f64, D>, size: f
         return slope.dot(&(taken * slope)) / slope.norm_squared();
     }
     (0..D).map(|row| taken.row(row).abs().sum()).fold(0.0, f64::max)
-}
-
-/// Waves from the longest to those whose sign alternates; those that the symmetry of the lattice makes alike are there once.
-fn wave_vectors<const D: usize>() -> impl Iterator<Item = Vector<f64, D>> {
-    let side = GRID + 1;
-    (1..side.pow(D as u32)).filter_map(move |index| {
-        let mut rest = index;
-        let step = Vector::<usize, D>::from_fn(|_, _| {
-            let step = rest % side;
-            rest /= side;
-            step
-        });
-        step.as_slice().is_sorted().then(|| step.map(|step| PI * step as f64 / GRID as f64))
-    })
 }

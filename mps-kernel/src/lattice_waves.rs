@@ -94,9 +94,9 @@ impl<const D: usize> LatticeWaves<D> {
         }
     }
 
-    /// Waves from the longest to those whose sign alternates: enough for the largest of a symbol, to 1 %. Those that the symmetry of the
-    /// lattice makes alike are there once.
-    pub fn grid(&self) -> impl Iterator<Item = WaveSymbols> {
+    /// Wave vectors times the spacing \[-\], from the longest wave to those whose sign alternates: enough for the largest of a symbol, to 1 %. Those that the
+    /// symmetry of the lattice makes alike are there once.
+    pub fn wave_vectors() -> impl Iterator<Item = Vector<f64, D>> {
         let side = GRID + 1;
         (1..side.pow(D as u32)).filter_map(move |index| {
             let mut rest = index;
@@ -105,8 +105,12 @@ impl<const D: usize> LatticeWaves<D> {
                 rest /= side;
                 step
             });
-            let sorted = step.as_slice().is_sorted();
-            sorted.then(|| self.symbols(&step.map(|step| PI * step as f64 / GRID as f64)))
+            step.as_slice().is_sorted().then(|| step.map(|step| PI * step as f64 / GRID as f64))
         })
+    }
+
+    /// The symbols of these waves.
+    pub fn grid(&self) -> impl Iterator<Item = WaveSymbols> {
+        Self::wave_vectors().map(|k| self.symbols(&k))
     }
 }

@@ -30,6 +30,19 @@ impl Conformance {
         Ok(())
     }
 
+    /// What a material remembers that went along a path.
+    fn history_after<const D: usize, M: ConstitutiveModel<f64, D>>(
+        &self,
+        material: &M,
+        path: &[Tensor<f64, D>],
+    ) -> M::History {
+        let mut history = M::History::default();
+        for f in path {
+            material.first_piola(f, &mut history, self.elapsed);
+        }
+        history
+    }
+
     pub(super) fn settle<const D: usize, M: ConstitutiveModel<f64, D>>(
         &self,
         material: &M,
@@ -39,10 +52,7 @@ impl Conformance {
         for _ in 0..self.samples {
             let path = samples.path::<D>();
             let last = &path[path.len() - 1];
-            let mut history = M::History::default();
-            for f in &path {
-                material.first_piola(f, &mut history, self.elapsed);
-            }
+            let mut history = self.history_after(material, &path);
             let mut held = history;
             for _ in 0..HELD {
                 material.first_piola(last, &mut held, self.elapsed);
@@ -64,10 +74,7 @@ impl Conformance {
         for _ in 0..self.samples {
             let path = samples.path::<D>();
             let (before, after) = path.split_at(path.len() / 2);
-            let mut history = M::History::default();
-            for f in before {
-                material.first_piola(f, &mut history, self.elapsed);
-            }
+            let mut history = self.history_after(material, before);
             let saved = bytes_of(&history).to_vec();
             let stresses: Vec<_> =
                 after.iter().map(|f| material.first_piola(f, &mut history, self.elapsed)).collect();
