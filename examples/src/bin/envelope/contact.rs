@@ -88,7 +88,7 @@ pub(crate) fn borders() -> Vec<Border> {
         whole: false,
         breaks: Breaks::Refusal,
         mechanism: "a blow of the speed v makes the pressure M v/(2 c) in bodies of the modulus M = lambda + 2 mu, and contact can push back with about half of M: at v = c in a \
-                    body without particles. The outermost row comes to a stand later than that, and goes deeper",
+                    body without particles. Presumably the outermost row comes to a stand later than that, and goes deeper",
         remedy: "the error says so",
     };
     let unlike = Border { predicted: None, breaks: Breaks::Nothing, remedy: "none needed", ..base };
